@@ -1,0 +1,72 @@
+// Sphere-traces an isosurface in one GLSL pass and shades it with the swept octants and the geometry-term tables.
+#pragma once
+
+#include <array>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/mat4x4.hpp>
+#include <memory>
+#include <vector>
+
+#include "camera.h"
+#include "context.h"
+#include "sweep/geometry_terms.h"
+#include "sweep/grid.h"
+
+namespace isolume {
+
+/// What is uploaded; borrowed for the duration of Renderer::upload. All grids have the same size and spacing.
+/// GPU memory: level 4 B/voxel (R32F), distance 2 B/voxel (R16F, in units of the smallest spacing), octants 8 B/voxel.
+struct SceneFields {
+  glm::dmat4 worldFromGrid{1};     ///< index to world: rotation or reflection, spacing, translation; no shear
+  GridView<const float> level;     ///< > 0 inside; the surface is its trilinear zero set (sweep/level.h)
+  GridView<const float> distance;  ///< world units, < 0 inside
+  std::array<GridView<const glm::u8vec4>, 2> octants;  ///< may be empty: then only Shading::local works
+};
+
+enum class NormalSource { data, distance };
+enum class Shading {
+  occlusion,  ///< A = sum V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point gives 1
+  local,      ///< head light, N . V: no octants needed
+};
+
+struct RenderSettings {
+  glm::ivec2 size{1024, 1024};
+  int samples = 1;                      ///< anti-aliasing samples per pixel, >= 1
+  Shading shading = Shading::occlusion;
+  NormalSource normals = NormalSource::data;
+  float gamma = 1;                      ///< colour = albedo * A^(1 / gamma) ([Singh10] Sec. 2 uses 2)
+  glm::vec3 albedo{1};                  ///< linear
+  glm::vec4 background{1, 1, 1, 1};     ///< linear, not premultiplied; alpha 0 = transparent
+  bool layers = false;                  ///< also fill ambient, normal, position, depth
+};
+
+/// Row-major, top row first. Colour is linear and premultiplied. Layers are taken at the centre of the pixel, never
+/// averaged; where nothing is hit: ambient 1, normal 0, position NaN, depth +inf.
+struct Frame {
+  glm::ivec2 size{0};
+  std::vector<glm::vec4> color;
+  std::vector<float> ambient;        ///< openness in [0, 1], before gamma; empty unless asked for, as the following
+  std::vector<glm::vec3> normal;     ///< world, unit, out of the solid
+  std::vector<glm::vec3> position;   ///< world
+  std::vector<float> depth;          ///< along the view axis, world units
+};
+
+/// Owns the GL objects of one scene. Must be used on the context's thread and destroyed before the context.
+class Renderer {
+ public:
+  explicit Renderer(Context& context);
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// Replaces the scene. GpuError if a texture is larger than the context takes.
+  void upload(const SceneFields& fields);
+  /// One picture. Bitwise the same on every call with the same scene, camera and settings.
+  Frame render(const Camera& camera, const RenderSettings& settings = {});
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace isolume

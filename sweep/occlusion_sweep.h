@@ -1,0 +1,51 @@
+// Signed distance by fast sweeping with the eight-octant visibility sweep in the same pass.
+//
+// Distance: solves |grad D| = 1 with D = 0 on the surface by one Gauss-Seidel sweep per octant ([Singh10] Sec. 1.1,
+// Table 1; [Zhao05]), D < 0 inside the solid, in world units, at voxel centres. Any spacing. Samples next to the surface
+// start from the nearest crossing of their six grid edges and stay fixed. A solid that reaches the border of the grid
+// ends there: the border is surface ("cap"). No surface at all: +inf or -inf everywhere.
+//
+// Visibility: V_s in [0, 1], 1 where octant s is unobstructed ([Singh10] Eq. 6), with the transmittance of Eq. 7 over
+// the smallest spacing. Light enters at the border of the grid. On anisotropic grids the three neighbours weigh 1/h_i,
+// which keeps the paper's direction (1, 1, 1) in world space; at equal spacings the weights are the paper's 1/3.
+//
+// Cost: O(n) per sweep, eight sweeps. Memory per voxel: distance 4 B; octants rgba8 8 B (12 B while sweeping),
+// float32 32 B; O(n^(2/3)) scratch. Bitwise the same for any number of threads and any SIMD width.
+#pragma once
+
+#include <array>
+#include <glm/gtc/type_precision.hpp>
+
+#include "grid.h"
+#include "octants.h"
+
+namespace isolume {
+
+enum class VisibilityStorage {
+  none,     ///< distance alone
+  rgba8,    ///< two RGBA8 grids, as the shader reads them: octant s in channel s % 4 of grid s / 4
+  float32,  ///< eight float grids, for analysis and export
+};
+
+struct SweepOptions {
+  VisibilityStorage visibility = VisibilityStorage::rgba8;
+  int rounds = 1;  ///< rounds of eight distance sweeps, >= 1; the paper's is 1. Visibility is swept in the first round.
+};
+
+struct OctantVisibility {
+  std::array<Grid<glm::u8vec4>, 2> packed;         ///< rgba8: V_s = channel / 255
+  std::array<Grid<float>, kOctantCount> octants;   ///< float32
+};
+
+struct SweptFields {
+  Grid<float> distance;
+  OctantVisibility visibility;
+};
+
+/// `level` as of makeLevel(): > 0 inside, finite everywhere.
+SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options = {});
+
+/// Rounds eight float octants to the two RGBA8 grids of the shader.
+std::array<Grid<glm::u8vec4>, 2> packOctants(const std::array<Grid<float>, kOctantCount>& octants);
+
+}  // namespace isolume
