@@ -1,5 +1,5 @@
-// Integrated geometry term of an octant, G_s(N) = integral over octant s of max(N . w, 0) dw  ([Singh10] Eq. 5), and the
-// two RGBA tables of it that the shader reads.
+// Integrated geometry term of an octant, G_s(N) = integral over octant s of max(N . w, 0) dw  ([Singh10] Eq. 5), and
+// the two RGBA tables of it that the shader reads.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@
 
 namespace isolume {
 
-/// G_s(N) for unit N and octant s of kOctants (directions `towardsLight`), closed form: Lambert's formula for the octant
-/// clipped at the horizon of N. In [0, pi]; the eight sum to pi. Exact to rounding (about 1e-15).
+/// G_s(N) for unit N and octant s of kOctants (directions `towardsLight`), closed form: Lambert's formula for the
+/// octant clipped at the horizon of N. In [0, pi]; the eight sum to pi. Exact to rounding (about 1e-15).
 double octantGeometryTerm(int octant, glm::dvec3 normal);
 
 /// G of the octants 0 to 3 (which are those with towardsLight.z < 0) and 4 to 7, for normals with N.z >= 0; for
-/// N.z < 0 mirror N in z and swap the two tables. Texel (i, j) of a size x size table holds u = (i + 1/2) / size, and so
-/// on, with (N.x, N.y) = (2u - 1, 2v - 1) * sqrt(1 + N.z), that is |2u - 1|^2 = 1 - N.z: the equal-area map, smooth at
-/// the horizon, where a table over plain (N.x, N.y) has an infinite slope. Texels beyond the rim hold N.z < 0.
+/// N.z < 0 mirror N in z and swap the two tables. Texel (i, j) of a size x size table holds u = (i + 1/2) / size, and
+/// so on, with (N.x, N.y) = (2u - 1, 2v - 1) * sqrt(1 + N.z), that is |2u - 1|^2 = 1 - N.z: the equal-area map, smooth
+/// at the horizon, where a table over plain (N.x, N.y) has an infinite slope. Texels beyond the rim hold N.z < 0.
 struct GeometryTermTables {
   int size = 0;
   std::array<std::vector<glm::vec4>, 2> texels;  ///< row-major, size * size each

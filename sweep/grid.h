@@ -31,8 +31,8 @@ struct GridView {
       : data(data_), size(size_), spacing(spacing_), origin(origin_) {}
   /// A view for writing is also a view for reading.
   template <class U>
-    requires std::is_same_v<const U, T>
-  GridView(GridView<U> other) : GridView(other.data, other.size, other.spacing, other.origin) {}
+  requires std::is_same_v<const U, T> GridView(GridView<U> other)
+      : GridView(other.data, other.size, other.spacing, other.origin) {}
 
   std::ptrdiff_t strideY() const { return size.x; }
   std::ptrdiff_t strideZ() const { return static_cast<std::ptrdiff_t>(size.x) * size.y; }
@@ -51,7 +51,10 @@ class Grid {
  public:
   Grid() = default;
   explicit Grid(glm::ivec3 size, glm::dvec3 spacing = glm::dvec3(1), glm::dvec3 origin = glm::dvec3(0))
-      : values_(std::make_unique_for_overwrite<T[]>(voxelCount(size))), size_(size), spacing_(spacing), origin_(origin) {}
+      : values_(std::make_unique_for_overwrite<T[]>(voxelCount(size))),
+        size_(size),
+        spacing_(spacing),
+        origin_(origin) {}
 
   bool empty() const { return !values_; }
   glm::ivec3 size() const { return size_; }

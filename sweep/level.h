@@ -17,7 +17,7 @@ struct LevelSummary {
   std::size_t replacedCount = 0;  ///< samples that were NaN or infinite
   float finiteMin = 0;            ///< smallest and largest finite sample before the change; min > max if there is none
   float finiteMax = -1;
-  glm::ivec3 solidMin{0};         ///< index bounds of the samples inside, inclusive; min > max if there is none
+  glm::ivec3 solidMin{0};  ///< index bounds of the samples inside, inclusive; min > max if there is none
   glm::ivec3 solidMax{-1};
   bool hasSurface() const { return insideCount > 0; }
 };

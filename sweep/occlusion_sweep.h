@@ -1,9 +1,9 @@
 // Signed distance by fast sweeping with the eight-octant visibility sweep in the same pass.
 //
 // Distance: solves |grad D| = 1 with D = 0 on the surface by one Gauss-Seidel sweep per octant ([Singh10] Sec. 1.1,
-// Table 1; [Zhao05]), D < 0 inside the solid, in world units, at voxel centres. Any spacing. Samples next to the surface
-// start from the nearest crossing of their six grid edges and stay fixed. A solid that reaches the border of the grid
-// ends there: the border is surface ("cap"). No surface at all: +inf or -inf everywhere.
+// Table 1; [Zhao05]), D < 0 inside the solid, in world units, at voxel centres. Any spacing. Samples next to the
+// surface start from the nearest crossing of their six grid edges and stay fixed. A solid that reaches the border of
+// the grid ends there: the border is surface ("cap"). No surface at all: +inf or -inf everywhere.
 //
 // Visibility: V_s in [0, 1], 1 where octant s is unobstructed ([Singh10] Eq. 6), with the transmittance of Eq. 7 over
 // the smallest spacing. Light enters at the border of the grid. On anisotropic grids the three neighbours weigh 1/h_i,
@@ -33,8 +33,8 @@ struct SweepOptions {
 };
 
 struct OctantVisibility {
-  std::array<Grid<glm::u8vec4>, 2> packed;         ///< rgba8: V_s = channel / 255
-  std::array<Grid<float>, kOctantCount> octants;   ///< float32
+  std::array<Grid<glm::u8vec4>, 2> packed;        ///< rgba8: V_s = channel / 255
+  std::array<Grid<float>, kOctantCount> octants;  ///< float32
 };
 
 struct SweptFields {

@@ -14,8 +14,8 @@ namespace isolume {
 inline constexpr int kOctantCount = 8;
 
 struct Octant {
-  glm::ivec3 sweep;              ///< signs of the traversal, [Singh10] Table 1
-  std::string_view name;         ///< signs of the directions that the octant's light comes from: "nnn" for (-,-,-)
+  glm::ivec3 sweep;       ///< signs of the traversal, [Singh10] Table 1
+  std::string_view name;  ///< signs of the directions that the octant's light comes from: "nnn" for (-,-,-)
   constexpr glm::ivec3 towardsLight() const { return -sweep; }
 };
 

@@ -9,4 +9,6 @@ target_compile_features(isolume_flags INTERFACE cxx_std_20)
 target_compile_options(isolume_flags INTERFACE
   -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
   # The same bits on every instruction set: no fused multiply-add unless it is written down.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Neither flag changes a result: nobody reads the floating-point exception flags or errno.
+  -fno-trapping-math -fno-math-errno)

@@ -1,0 +1,34 @@
+// Start of the distance sweep: samples next to the surface get their distance along the nearest crossed grid edge
+// ([Singh10] Sec. 1.1, Fig. 1), all others are unset. Also how a value says that it is fixed.
+//
+// Start and sweep share one float per voxel, in units of the smallest spacing: the sign bit says inside, the lowest bit
+// of the mantissa says fixed. The tag costs one unit in the last place (6e-8 of the value) and no memory.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "grid.h"
+
+namespace isolume {
+
+/// Magnitude of a value that no sweep has reached. Its square fits into a float, adding a spacing does not change it,
+/// and a power of two has the fixed bit clear.
+inline constexpr float kUnsetDistance = 0x1p60F;
+/// Smallest magnitude of a start value: keeps the sign of a sample on the surface, and denormals out of the sweep.
+inline constexpr float kSmallestDistance = 1e-30F;
+inline constexpr std::uint32_t kFixedBit = 1;
+
+inline float withFixedBit(float value, bool fixed) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  return std::bit_cast<float>(fixed ? bits | kFixedBit : bits & ~kFixedBit);
+}
+inline bool isFixed(float value) { return (std::bit_cast<std::uint32_t>(value) & kFixedBit) != 0; }
+
+/// Fills `distance` (same size as `level`). A sample whose six neighbours are on its own side is unset, with the sign
+/// of its side. Otherwise |value| is the smallest distance to a crossing of the linear interpolant along the crossed
+/// edges, and fixed. A sample inside the solid on the border of the grid lies on the cap: 0. The first-order axis
+/// minimum is the paper's; it is up to .39 voxels too long next to a tilted surface. O(n), threaded.
+void startDistance(GridView<const float> level, GridView<float> distance);
+
+}  // namespace isolume

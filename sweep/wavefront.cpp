@@ -1,0 +1,124 @@
+#include "wavefront.h"
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "parallel.h"
+#include "surface_start.h"
+#include "tile_io.h"
+
+namespace isolume {
+namespace {
+
+constexpr std::size_t kAlignment = 64;  // bytes: a cache line, and the widest vector
+
+template <class T>
+struct AlignedDelete {
+  void operator()(T* pointer) const { ::operator delete[](pointer, std::align_val_t(kAlignment)); }
+};
+template <class T>
+using AlignedArray = std::unique_ptr<T[], AlignedDelete<T>>;
+
+template <class T>
+AlignedArray<T> makeAligned(std::size_t count, T value) {
+  AlignedArray<T> array(static_cast<T*>(::operator new[](count * sizeof(T), std::align_val_t(kAlignment))));
+  std::fill_n(array.get(), count, value);
+  return array;
+}
+
+// Distance and light of one kind of buffer.
+struct Pair {
+  AlignedArray<float> distance, light;
+  std::size_t count = 0;
+  explicit Pair(std::size_t count_ = 0) : count(count_) { reset(); }
+  void reset() {
+    if (count == 0) return;
+    if (!distance) distance = makeAligned(count, kUnsetDistance);
+    if (!light) light = makeAligned(count, 1.0F);
+    std::fill_n(distance.get(), count, kUnsetDistance);
+    std::fill_n(light.get(), count, 1.0F);
+  }
+};
+
+int blocksOf(int count, int size) { return (count + size - 1) / size; }
+
+}  // namespace
+
+// What the tiles of one block of rows hand on: upwards in z by `carried`, to the next block in y by `lastRow`, which is
+// doubled because the block's next tile runs beside the reader of the last one.
+struct WavefrontSweeper::Block {
+  AlignedArray<float> distance;
+  AlignedArray<float> visibility;
+  Pair carried;
+  Pair lastRow[2];
+};
+
+struct WavefrontSweeper::Storage {
+  std::vector<Block> blocks;
+  Pair outsideRow;
+  std::size_t tileCount = 0;
+};
+
+WavefrontSweeper::WavefrontSweeper(glm::ivec3 size, const SweepMetric& metric)
+    : storage_(new Storage), size_(size), metric_(metric) {
+  const int lanes = tileLanes();
+  const auto steps = static_cast<std::size_t>(paddedSteps(size.x, lanes)) * static_cast<std::size_t>(lanes);
+  const auto rows = static_cast<std::size_t>(paddedRow(size.x, lanes)) * kTilePlanes;
+  storage_->tileCount = steps * kTilePlanes;
+  storage_->outsideRow = Pair(rows);
+  storage_->blocks.resize(static_cast<std::size_t>(blocksOf(size.y, lanes)));
+  for (Block& block : storage_->blocks) {
+    block.distance = makeAligned(storage_->tileCount, kUnsetDistance);
+    block.carried = Pair(steps);
+    for (Pair& row : block.lastRow) row = Pair(rows);
+  }
+}
+
+WavefrontSweeper::~WavefrontSweeper() { delete storage_; }
+
+void WavefrontSweeper::sweep(const Octant& octant, float* distance, VisibilityTarget visibility) {
+  const OctantWalk walk = walkOctant(size_, octant);
+  const int lanes = tileLanes();
+  const int blockCount = blocksOf(size_.y, lanes);
+  const int layerCount = blocksOf(size_.z, kTilePlanes);
+  const bool light = visibility.as8 != nullptr || visibility.asFloat != nullptr;
+  for (Block& block : storage_->blocks) {
+    block.carried.reset();
+    if (light && !block.visibility) block.visibility = makeAligned(storage_->tileCount, 0.0F);
+  }
+
+  const auto sweepOne = [&](int blockIndex, int layer) {
+    Block& block = storage_->blocks[static_cast<std::size_t>(blockIndex)];
+    const int parity = layer % 2;
+    const Pair& below = blockIndex > 0 ? storage_->blocks[static_cast<std::size_t>(blockIndex) - 1].lastRow[parity]
+                                       : storage_->outsideRow;
+    const TileOrigin origin{blockIndex * lanes, layer * kTilePlanes};
+    TileBuffers buffers;
+    buffers.distance = block.distance.get();
+    buffers.visibility = light ? block.visibility.get() : nullptr;
+    buffers.carriedDistance = block.carried.distance.get();
+    buffers.carriedLight = block.carried.light.get();
+    buffers.rowDistance = below.distance.get();
+    buffers.rowLight = below.light.get();
+    buffers.lastRowDistance = block.lastRow[parity].distance.get();
+    buffers.lastRowLight = block.lastRow[parity].light.get();
+    loadTile(walk, origin, distance, buffers.distance);
+    sweepTile(buffers, metric_, size_.x);
+    storeTile(walk, origin, buffers.distance, distance);
+    if (visibility.as8) storeTile(walk, origin, buffers.visibility, visibility.as8);
+    if (visibility.asFloat) storeTile(walk, origin, buffers.visibility, visibility.asFloat);
+  };
+
+  for (int diagonal = 0; diagonal < blockCount + layerCount - 1; ++diagonal) {
+    const int first = std::max(0, diagonal - layerCount + 1);
+    const int last = std::min(diagonal, blockCount - 1);
+    parallelFor(static_cast<std::size_t>(last - first + 1), [&](std::size_t i) {
+      const int blockIndex = first + static_cast<int>(i);
+      sweepOne(blockIndex, diagonal - blockIndex);
+    });
+  }
+}
+
+}  // namespace isolume
