@@ -58,16 +58,21 @@ GeometryTermTables makeGeometryTermTables(int size) {
   tables.size = size;
   const auto rowLength = static_cast<std::size_t>(size);
   for (auto& texels : tables.texels) texels.resize(rowLength * rowLength);
-  parallelFor(rowLength, [&](std::size_t row) {
-    for (std::size_t column = 0; column < rowLength; ++column) {
-      const double x = 2 * (static_cast<double>(column) + 0.5) / size - 1;
-      const double y = 2 * (static_cast<double>(row) + 0.5) / size - 1;
+  // One quarter is computed; mirroring a normal in x or y mirrors its octants, s -> s ^ 1 or s -> s ^ 2.
+  parallelFor((rowLength + 1) / 2, [&](std::size_t row) {
+    for (std::size_t column = 0; column < (rowLength + 1) / 2; ++column) {
+      const double x = 2 * static_cast<double>(column) / (size - 1) - 1;
+      const double y = 2 * static_cast<double>(row) / (size - 1) - 1;
       const double z = 1 - (x * x + y * y);
       const double scale = std::sqrt(1 + z);
       const glm::dvec3 normal = glm::normalize(glm::dvec3(x * scale, y * scale, z));
       for (int octant = 0; octant < kOctantCount; ++octant) {
-        tables.texels[static_cast<std::size_t>(octant / 4)][row * rowLength + column][octant % 4] =
-            static_cast<float>(octantGeometryTerm(octant, normal));
+        const auto term = static_cast<float>(octantGeometryTerm(octant, normal));
+        for (int mirror = 0; mirror < 4; ++mirror) {
+          const std::size_t atX = (mirror & 1) != 0 ? rowLength - 1 - column : column;
+          const std::size_t atY = (mirror & 2) != 0 ? rowLength - 1 - row : row;
+          tables.texels[static_cast<std::size_t>(octant / 4)][atY * rowLength + atX][(octant ^ mirror) % 4] = term;
+        }
       }
     }
   });

@@ -17,13 +17,16 @@ namespace isolume {
 double octantGeometryTerm(int octant, glm::dvec3 normal);
 
 /// G of the octants 0 to 3 (which are those with towardsLight.z < 0) and 4 to 7, for normals with N.z >= 0; for
-/// N.z < 0 mirror N in z and swap the two tables. Texel (i, j) of a size x size table holds u = (i + 1/2) / size, and
-/// so on, with (N.x, N.y) = (2u - 1, 2v - 1) * sqrt(1 + N.z), that is |2u - 1|^2 = 1 - N.z: the equal-area map, smooth
-/// at the horizon, where a table over plain (N.x, N.y) has an infinite slope. Texels beyond the rim hold N.z < 0.
+/// N.z < 0 mirror N in z and swap the two tables. The centre of texel (i, j) of a size x size table belongs to
+/// r = 2 (i, j) / (size - 1) - 1 in [-1, 1]^2 and to the normal with (N.x, N.y) = r sqrt(1 + N.z), |r|^2 = 1 - N.z: the
+/// equal-area map, smooth at the horizon |r| = 1, where a table over plain (N.x, N.y) ([Singh10] Fig. 2) has an
+/// infinite slope. Texels beyond the rim hold N.z < 0. So N reads at texture coordinate
+///   (r (size - 1) / size + 1) / 2  with  r = (N.x, N.y) / sqrt(1 + |N.z|).
 struct GeometryTermTables {
   int size = 0;
   std::array<std::vector<glm::vec4>, 2> texels;  ///< row-major, size * size each
 };
-GeometryTermTables makeGeometryTermTables(int size = 128);
+/// size >= 2. At 256 bilinear lookup is within 1e-4 of the closed form.
+GeometryTermTables makeGeometryTermTables(int size = 256);
 
 }  // namespace isolume

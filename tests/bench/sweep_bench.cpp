@@ -1,0 +1,96 @@
+// Time and error of the distance and occlusion sweep at the grid sizes of [Singh10] Table 2 and at 256^3.
+//
+// Held fixed: a ball of radius .31 n (so that a third of the slices hold surface), one round of eight sweeps, all cores
+// unless --threads is given by TBB's environment. Items = voxels x sweeps, so that 1 / items_per_second is the time per
+// voxel and sweep. Beside each time: mean and largest error of the distance in voxels, checked after timing. The plain
+// loops are the same algorithm one voxel at a time on one core: compare with them in the same run, for absolute times
+// drift on shared machines.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/plain_sweep.h"
+#include "support/test_levels.h"
+#include "sweep/occlusion_sweep.h"
+#include "sweep/parallel.h"
+
+namespace isolume {
+namespace {
+
+struct Ball {
+  glm::ivec3 size;
+  glm::dvec3 centre;
+  double radius;
+  Grid<float> level;
+};
+
+Ball makeBall(glm::ivec3 size) {
+  Ball ball{
+      size, glm::dvec3(size) * 0.5 + glm::dvec3(0.13, -0.21, 0.07), 0.31 * std::min({size.x, size.y, size.z}), {}};
+  ball.level =
+      test::sampleLevel(size, glm::dvec3(1), [&](glm::dvec3 p) { return ball.radius - glm::length(p - ball.centre); });
+  return ball;
+}
+
+void reportError(benchmark::State& state, const Ball& ball, const float* distance) {
+  double sum = 0, largest = 0;
+  std::size_t i = 0;
+  for (int z = 0; z < ball.size.z; ++z)
+    for (int y = 0; y < ball.size.y; ++y)
+      for (int x = 0; x < ball.size.x; ++x, ++i) {
+        const double off = std::abs(distance[i] - (glm::length(glm::dvec3(x, y, z) - ball.centre) - ball.radius));
+        sum += off;
+        largest = std::max(largest, off);
+      }
+  state.counters["mean_error_voxels"] = sum / static_cast<double>(i);
+  state.counters["max_error_voxels"] = largest;
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(i) * kOctantCount);
+  state.counters["ns_per_voxel_sweep"] =
+      benchmark::Counter(static_cast<double>(i) * kOctantCount * 1e-9,
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+glm::ivec3 sizeOf(const benchmark::State& state) {
+  return {static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), static_cast<int>(state.range(2))};
+}
+
+void sweepAs(benchmark::State& state, VisibilityStorage visibility) {
+  setThreadCount(static_cast<int>(state.range(3)));
+  const Ball ball = makeBall(sizeOf(state));
+  SweptFields fields;
+  for (auto _ : state) {
+    fields = {};
+    fields = sweepOcclusion(ball.level.view(), {.visibility = visibility});
+    benchmark::DoNotOptimize(fields.distance.data());
+  }
+  reportError(state, ball, fields.distance.data());
+  setThreadCount(0);
+}
+
+void distanceAlone(benchmark::State& state) { sweepAs(state, VisibilityStorage::none); }
+void eightOctants(benchmark::State& state) { sweepAs(state, VisibilityStorage::rgba8); }
+
+void plainLoops(benchmark::State& state) {
+  const Ball ball = makeBall(sizeOf(state));
+  test::PlainFields fields;
+  for (auto _ : state) fields = test::plainSweep(ball.level.view());
+  reportError(state, ball, fields.distance.data());
+}
+
+// nx, ny, nz, threads (0 = all)
+void tableSizes(benchmark::internal::Benchmark* b) {
+  for (const int threads : {1, 0}) {
+    b->Args({101, 101, 61, threads});
+    for (const int n : {100, 150, 200, 250, 256}) b->Args({n, n, n, threads});
+  }
+}
+
+BENCHMARK(distanceAlone)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(eightOctants)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(plainLoops)->Args({100, 100, 100, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace isolume
+
+BENCHMARK_MAIN();

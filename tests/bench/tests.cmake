@@ -1,0 +1,6 @@
+if(ISOLUME_BUILD_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+  add_executable(bench_sweep bench/sweep_bench.cpp support/plain_sweep.cpp)
+  target_include_directories(bench_sweep PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(bench_sweep PRIVATE isolume_flags isolume_sweep benchmark::benchmark)
+endif()

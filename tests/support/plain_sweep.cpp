@@ -1,0 +1,133 @@
+#include "support/plain_sweep.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace isolume::test {
+namespace {
+
+constexpr float kUnset = 0x1p60F;
+constexpr float kSmallest = 1e-30F;
+constexpr float kDarkest = 1e-20F;
+
+// The library marks fixed values in the last bit of the mantissa; so must an equal result.
+float withLastBit(float value, bool set) {
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  return std::bit_cast<float>(set ? bits | 1U : bits & ~1U);
+}
+
+struct State {
+  GridView<const float> level;
+  glm::vec3 h;
+  std::vector<float> magnitude;
+  std::vector<bool> fixed;
+  bool inside(int x, int y, int z) const { return level(x, y, z) > 0; }
+};
+
+void start(State& state) {
+  const glm::ivec3 n = state.level.size;
+  for (int z = 0; z < n.z; ++z)
+    for (int y = 0; y < n.y; ++y)
+      for (int x = 0; x < n.x; ++x) {
+        float best = kUnset;
+        const float here = state.level(x, y, z);
+        for (int axis = 0; axis < 3; ++axis)
+          for (int step : {-1, 1}) {
+            glm::ivec3 q(x, y, z);
+            q[axis] += step;
+            if (q[axis] < 0 || q[axis] >= n[axis]) {
+              if (here > 0) best = 0;
+              continue;
+            }
+            const float there = state.level(q.x, q.y, q.z);
+            if ((here > 0) != (there > 0))
+              best = std::min(best, state.h[axis] * ((0.5F * here) / (0.5F * here - 0.5F * there)));
+          }
+        const std::size_t i = state.level.index(x, y, z);
+        state.fixed[i] = best < kUnset;
+        state.magnitude[i] = withLastBit(std::max(best, kSmallest), state.fixed[i]);
+      }
+}
+
+}  // namespace
+
+float plainUpdate(glm::vec3 neighbours, glm::dvec3 spacing) {
+  std::array<int, 3> axis{0, 1, 2};
+  std::stable_sort(axis.begin(), axis.end(), [&](int a, int b) { return neighbours[a] < neighbours[b]; });
+  const float a1 = neighbours[axis[0]], a2 = neighbours[axis[1]], a3 = neighbours[axis[2]];
+  const float b = a2 - a1, c = a3 - a1;
+  if (spacing.x == 1 && spacing.y == 1 && spacing.z == 1) {
+    const float one = a1 + 1.0F;
+    if (one <= a2) return one;
+    const float two = a1 + 0.5F * (b + std::sqrt(2.0F - b * b));
+    if (two <= a3) return two;
+    return a1 + (1.0F / 3.0F) * ((b + c) + std::sqrt((3.0F - b * b) - (c * c + (c - b) * (c - b))));
+  }
+  const auto weight = [&](int i) {
+    const double h = spacing[axis[static_cast<std::size_t>(i)]];
+    return static_cast<float>(1 / (h * h));
+  };
+  const float w1 = weight(0), w2 = weight(1), w3 = weight(2);
+  const float one = a1 + static_cast<float>(spacing[axis[0]]);
+  if (one <= a2) return one;
+  const float two = a1 + (w2 * b + std::sqrt((w1 + w2) - (w1 * w2) * (b * b))) / (w1 + w2);
+  if (two <= a3) return two;
+  const float root =
+      std::sqrt((((w1 + w2) + w3) - (w1 * w2) * (b * b)) - ((w1 * w3) * (c * c) + (w2 * w3) * ((c - b) * (c - b))));
+  return a1 + ((w2 * b + w3 * c) + root) / ((w1 + w2) + w3);
+}
+
+PlainFields plainSweep(GridView<const float> level, int rounds) {
+  const glm::ivec3 n = level.size;
+  const double smallest = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
+  const glm::dvec3 h = level.spacing / smallest;
+  State state{level, glm::vec3(h), std::vector<float>(level.count()), std::vector<bool>(level.count())};
+  start(state);
+
+  const double inverseSum = 1 / h.x + 1 / h.y + 1 / h.z;
+  glm::vec3 weight(1 / h.x / inverseSum, 1 / h.y / inverseSum, 0);
+  weight.z = 1.0F - (weight.x + weight.y);
+
+  PlainFields fields;
+  for (int round = 0; round < rounds; ++round)
+    for (int s = 0; s < kOctantCount; ++s) {
+      const glm::ivec3 sign = kOctants[static_cast<std::size_t>(s)].sweep;
+      std::vector<float> visibility(level.count());
+      for (int k = 0; k < n.z; ++k)
+        for (int j = 0; j < n.y; ++j)
+          for (int i = 0; i < n.x; ++i) {
+            const glm::ivec3 p(sign.x > 0 ? i : n.x - 1 - i, sign.y > 0 ? j : n.y - 1 - j,
+                               sign.z > 0 ? k : n.z - 1 - k);
+            const std::size_t at = level.index(p.x, p.y, p.z);
+            glm::vec3 distance(kUnset), light(1);
+            for (int axis = 0; axis < 3; ++axis) {
+              glm::ivec3 q = p;
+              q[axis] -= sign[axis];
+              if (q[axis] < 0 || q[axis] >= n[axis]) continue;
+              const std::size_t from = level.index(q.x, q.y, q.z);
+              distance[axis] = state.magnitude[from];
+              const float signedDistance = state.inside(q.x, q.y, q.z) ? -distance[axis] : distance[axis];
+              light[axis] = visibility[from] * std::min(std::max(signedDistance + 0.5F, 0.0F), 1.0F);
+            }
+            if (!state.fixed[at])
+              state.magnitude[at] = withLastBit(std::min(state.magnitude[at], plainUpdate(distance, h)), false);
+            const float sum = (weight.x * light.x + weight.y * light.y) + weight.z * light.z;
+            visibility[at] = sum >= kDarkest ? sum : 0;
+          }
+      if (round == 0) fields.visibility[static_cast<std::size_t>(s)] = visibility;
+    }
+
+  fields.distance.resize(level.count());
+  for (std::size_t i = 0; i < level.count(); ++i) {
+    const float magnitude = withLastBit(state.magnitude[i], false);
+    const float world =
+        magnitude < kUnset ? magnitude * static_cast<float>(smallest) : std::numeric_limits<float>::infinity();
+    fields.distance[i] = level.data[i] > 0 ? -world : world;
+  }
+  return fields;
+}
+
+}  // namespace isolume::test

@@ -1,0 +1,23 @@
+// The sweep as plain loops, one voxel at a time and in the paper's order: what the vectorised sweep must equal bit for
+// bit. Written from [Singh10] Sec. 1.1, Eq. 6 and 7, without any of the library's layout.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sweep/grid.h"
+#include "sweep/octants.h"
+
+namespace isolume::test {
+
+struct PlainFields {
+  std::vector<float> distance;                              ///< world units, as SweptFields
+  std::array<std::vector<float>, kOctantCount> visibility;  ///< V_s
+};
+
+/// Distance of a voxel from its three upwind neighbours (unsigned), in the units of the spacing.
+float plainUpdate(glm::vec3 neighbours, glm::dvec3 spacing);
+
+PlainFields plainSweep(GridView<const float> level, int rounds = 1);
+
+}  // namespace isolume::test

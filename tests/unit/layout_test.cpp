@@ -1,0 +1,119 @@
+// The skewed, threaded, vectorised sweep against plain loops: equal bits, whatever the size, the lanes or the threads.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cstring>
+#include <vector>
+
+#include "support/plain_sweep.h"
+#include "support/test_levels.h"
+#include "sweep/occlusion_sweep.h"
+#include "sweep/parallel.h"
+#include "sweep/sweep_tile.h"
+
+namespace isolume {
+namespace {
+
+using test::ballLevel;
+using test::noiseLevel;
+using test::plainSweep;
+
+template <class T>
+bool sameBits(const T* a, const T* b, std::size_t count) {
+  return std::memcmp(a, b, count * sizeof(T)) == 0;
+}
+
+void expectEqualsPlain(GridView<const float> level, int rounds = 1) {
+  const auto want = plainSweep(level, rounds);
+  const SweptFields got = sweepOcclusion(level, {.visibility = VisibilityStorage::float32, .rounds = rounds});
+  const SweptFields alone = sweepOcclusion(level, {.visibility = VisibilityStorage::none, .rounds = rounds});
+  EXPECT_TRUE(sameBits(got.distance.data(), want.distance.data(), level.count()));
+  EXPECT_TRUE(sameBits(alone.distance.data(), want.distance.data(), level.count()));
+  for (std::size_t s = 0; s < kOctants.size(); ++s) {
+    EXPECT_TRUE(sameBits(got.visibility.octants[s].data(), want.visibility[s].data(), level.count()))
+        << "octant " << kOctants[s].name;
+  }
+}
+
+TEST(SweepLayout, EqualsPlainLoopsForAnySize) {
+  // Rows shorter than a vector, blocks and layers that do not fill, single voxels: the same bits as the plain loops.
+  const glm::ivec3 sizes[] = {{1, 1, 1},    {2, 1, 3},   {1, 40, 1},   {40, 1, 1},   {1, 1, 40},
+                              {15, 16, 17}, {16, 16, 4}, {17, 33, 5},  {31, 15, 9},  {33, 47, 6},
+                              {64, 3, 2},   {3, 64, 30}, {48, 48, 48}, {100, 20, 7}, {29, 31, 37}};
+  for (const glm::ivec3& size : sizes) {
+    SCOPED_TRACE(testing::Message() << size.x << "x" << size.y << "x" << size.z);
+    expectEqualsPlain(noiseLevel(size, glm::dvec3(1), 7).view());
+  }
+}
+
+TEST(SweepLayout, EqualsPlainLoopsOnSparseSurfacesAndAnySpacing) {
+  // Long empty runs, where unset values must spread correctly, at isotropic and anisotropic spacings, and more rounds.
+  const glm::dvec3 spacings[] = {{1, 1, 1}, {0.957, 0.957, 1.5}, {3, 1, 2}, {1e-6, 2e-6, 1e-6}, {700, 700, 1234}};
+  for (const glm::dvec3& spacing : spacings) {
+    SCOPED_TRACE(testing::Message() << spacing.x << " " << spacing.y << " " << spacing.z);
+    Grid<float> level({37, 41, 29}, spacing);
+    const Grid<float> ball = ballLevel(48, 7, glm::dvec3(22, 15, 12));
+    for (int z = 0; z < 29; ++z)
+      for (int y = 0; y < 41; ++y)
+        for (int x = 0; x < 37; ++x) level.view()(x, y, z) = ball.view()(x, y, z);
+    expectEqualsPlain(level.view());
+    expectEqualsPlain(level.view(), 2);
+  }
+}
+
+TEST(SweepLayout, EqualsPlainLoopsOnEveryInstructionSet) {
+  // Every SIMD target that this machine can run gives the bits of the plain loops.
+  const Grid<float> noise = noiseLevel({53, 38, 21}, {1, 1.25, 2}, 11);
+  const Grid<float> ball = ballLevel(40, 11, glm::dvec3(17, 20, 22));
+  int tried = 0;
+  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
+    const std::int64_t target = targets & -targets;
+    if ((target & HWY_ATTAINABLE_TARGETS) == 0) continue;
+    hwy::SetSupportedTargetsForTest(target);
+    SCOPED_TRACE(testing::Message() << hwy::TargetName(static_cast<std::uint32_t>(target)) << ", " << tileLanes()
+                                    << " lanes");
+    expectEqualsPlain(noise.view());
+    expectEqualsPlain(ball.view());
+    ++tried;
+    hwy::SetSupportedTargetsForTest(0);
+  }
+  EXPECT_GE(tried, 1);
+}
+
+TEST(SweepLayout, ThreadsDoNotChangeABit) {
+  // One, two and seven threads give the same distance and the same octants.
+  const Grid<float> level = noiseLevel({70, 90, 50}, glm::dvec3(1), 3);
+  std::vector<SweptFields> results;
+  for (const int threads : {1, 2, 7}) {
+    setThreadCount(threads);
+    results.push_back(sweepOcclusion(level.view()));
+  }
+  setThreadCount(0);
+  for (std::size_t i = 1; i < results.size(); ++i) {
+    EXPECT_TRUE(sameBits(results[i].distance.data(), results[0].distance.data(), level.count()));
+    for (std::size_t k = 0; k < 2; ++k) {
+      EXPECT_TRUE(
+          sameBits(results[i].visibility.packed[k].data(), results[0].visibility.packed[k].data(), level.count()));
+    }
+  }
+}
+
+TEST(SweepLayout, PackedOctantsAreTheFloatOctantsRounded) {
+  // rgba8 storage holds round(255 V) of the float octants, octant s in channel s % 4 of grid s / 4.
+  const Grid<float> level = noiseLevel({45, 23, 31}, glm::dvec3(1, 2, 1), 5);
+  const SweptFields exact = sweepOcclusion(level.view(), {.visibility = VisibilityStorage::float32});
+  const SweptFields packed = sweepOcclusion(level.view());
+  const auto repacked = packOctants(exact.visibility.octants);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_TRUE(sameBits(packed.visibility.packed[k].data(), repacked[k].data(), level.count()));
+  }
+  for (std::size_t s = 0; s < kOctants.size(); ++s) {
+    for (std::size_t i = 0; i < level.count(); ++i) {
+      const float stored = static_cast<float>(repacked[s / 4].data()[i][static_cast<int>(s % 4)]);
+      ASSERT_LE(std::abs(stored - 255 * exact.visibility.octants[s].data()[i]), 0.5F);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isolume
