@@ -13,18 +13,19 @@ enum class Projection { perspective, orthographic };
 struct Camera {
   glm::dvec3 eye{0, -1, 0};
   glm::dvec3 target{0};
-  glm::dvec3 up{0, 0, 1};        ///< any length; not parallel to target - eye
-  double rollDegrees = 0;        ///< turns the camera clockwise about its axis (the picture turns the other way)
+  glm::dvec3 up{0, 0, 1};  ///< any length; not parallel to target - eye
+  double rollDegrees = 0;  ///< turns the camera clockwise about its axis (the picture turns the other way)
   Projection projection = Projection::perspective;
-  double fovDegrees = 30;        ///< vertical field of view, perspective; in (0, 180)
-  double heightWorld = 1;        ///< height of the picture at any depth, orthographic; > 0
-  double zoom = 1;               ///< magnifies the picture about its centre; > 0
+  double fovDegrees = 30;  ///< vertical field of view, perspective; in (0, 180)
+  double heightWorld = 1;  ///< height of the picture at any depth, orthographic; > 0
+  double zoom = 1;         ///< magnifies the picture about its centre; > 0
 };
 
 /// Orthonormal axes of the picture: right, up, forward.
 struct CameraAxes {
   glm::dvec3 right, up, forward;
 };
+/// std::invalid_argument, one line, if the eye is the target or `up` is parallel to the view.
 CameraAxes cameraAxes(const Camera& camera);
 
 /// How to look at something without knowing where it is. Azimuth 0 looks along +y (on LPS medical data: at the face),
@@ -40,8 +41,8 @@ struct Framing {
   glm::dvec3 up{0, 0, 1};
 };
 
-/// The camera that sees all eight corners (world) just fit into a picture of that aspect (width / height), with a margin
-/// of 5 %. The target is the centre of the corners.
+/// The camera that sees all eight corners (world) just fit into a picture of that aspect (width / height), with a
+/// margin of 5 %. The target is the centre of the corners.
 Camera frameCorners(const std::array<glm::dvec3, 8>& corners, double aspect, const Framing& framing);
 
 /// The eight world corners of an index box.

@@ -15,7 +15,8 @@
 namespace isolume {
 
 /// What is uploaded; borrowed for the duration of Renderer::upload. All grids have the same size and spacing.
-/// GPU memory: level 4 B/voxel (R32F), distance 2 B/voxel (R16F, in units of the smallest spacing), octants 8 B/voxel.
+/// GPU memory: level 4 B/voxel (R32F), distance 2 B/voxel (R16F, in units of the smallest spacing), clearance 1 B/voxel
+/// (clearance.h), octants 8 B/voxel. At least two samples along each axis.
 struct SceneFields {
   glm::dmat4 worldFromGrid{1};     ///< index to world: rotation or reflection, spacing, translation; no shear
   GridView<const float> level;     ///< > 0 inside; the surface is its trilinear zero set (sweep/level.h)
@@ -31,24 +32,27 @@ enum class Shading {
 
 struct RenderSettings {
   glm::ivec2 size{1024, 1024};
-  int samples = 1;                      ///< anti-aliasing samples per pixel, >= 1
+  int samples = 1;  ///< anti-aliasing samples per pixel, >= 1
   Shading shading = Shading::occlusion;
   NormalSource normals = NormalSource::data;
-  float gamma = 1;                      ///< colour = albedo * A^(1 / gamma) ([Singh10] Sec. 2 uses 2)
-  glm::vec3 albedo{1};                  ///< linear
-  glm::vec4 background{1, 1, 1, 1};     ///< linear, not premultiplied; alpha 0 = transparent
-  bool layers = false;                  ///< also fill ambient, normal, position, depth
+  float gamma = 1;                   ///< colour = albedo * A^(1 / gamma) ([Singh10] Sec. 2 uses 2)
+  glm::vec3 albedo{1};               ///< linear
+  glm::vec4 background{1, 1, 1, 1};  ///< linear, not premultiplied; alpha 0 = transparent
+  bool layers = false;               ///< also fill ambient, normal, position, depth
 };
 
 /// Row-major, top row first. Colour is linear and premultiplied. Layers are taken at the centre of the pixel, never
-/// averaged; where nothing is hit: ambient 1, normal 0, position NaN, depth +inf.
+/// averaged; where nothing is hit: ambient 1, normal 0, position NaN, depth +inf. Nothing behind the eye is seen (nor,
+/// in orthographic pictures, behind the plane through it). An eye inside the solid sees the surface, and the caps, from
+/// behind.
 struct Frame {
   glm::ivec2 size{0};
   std::vector<glm::vec4> color;
-  std::vector<float> ambient;        ///< openness in [0, 1], before gamma; empty unless asked for, as the following
-  std::vector<glm::vec3> normal;     ///< world, unit, out of the solid
-  std::vector<glm::vec3> position;   ///< world
-  std::vector<float> depth;          ///< along the view axis, world units
+  std::vector<float> ambient;       ///< openness in [0, 1], before gamma; empty unless asked for, as the following,
+                                    ///< and where the scene has no octants
+  std::vector<glm::vec3> normal;    ///< world, unit, out of the solid
+  std::vector<glm::vec3> position;  ///< world
+  std::vector<float> depth;         ///< along the view axis, world units
 };
 
 /// Owns the GL objects of one scene. Must be used on the context's thread and destroyed before the context.
@@ -61,7 +65,8 @@ class Renderer {
 
   /// Replaces the scene. GpuError if a texture is larger than the context takes.
   void upload(const SceneFields& fields);
-  /// One picture. Bitwise the same on every call with the same scene, camera and settings.
+  /// One picture. Bitwise the same on every call with the same scene, camera and settings. std::invalid_argument, one
+  /// line, for a camera that contradicts itself; GpuError for settings that cannot be drawn.
   Frame render(const Camera& camera, const RenderSettings& settings = {});
 
  private:

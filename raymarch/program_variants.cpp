@@ -1,0 +1,22 @@
+#include "program_variants.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace isolume {
+
+const std::vector<ProgramVariant>& programVariants() {
+  static const std::vector<ProgramVariant> variants{
+      {"march", "shaders/fullscreen.vert", "shaders/march.frag"},
+  };
+  return variants;
+}
+
+const ProgramVariant& programVariant(const std::string& name) {
+  const auto& all = programVariants();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const ProgramVariant& v) { return v.name == name; });
+  assert(found != all.end());
+  return *found;
+}
+
+}  // namespace isolume

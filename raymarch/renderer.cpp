@@ -1,0 +1,185 @@
+#include "renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+#include "frame_uniforms.h"
+#include "framebuffer.h"
+#include "gl_check.h"
+#include "gpu_error.h"
+#include "program.h"
+#include "program_variants.h"
+#include "scene_textures.h"
+#include "sweep/parallel.h"
+#include "view.h"
+
+namespace isolume {
+namespace {
+
+void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
+  if (!scene.level) throw GpuError("render: expected an uploaded scene, found none");
+  if (settings.size.x < 1 || settings.size.y < 1) {
+    throw GpuError(
+        fmt::format("image: expected a size of at least 1x1, found {}x{}", settings.size.x, settings.size.y));
+  }
+  if (settings.samples < 1)
+    throw GpuError(fmt::format("image: expected at least 1 sample, found {}", settings.samples));
+  if (!(settings.gamma > 0)) throw GpuError(fmt::format("image: expected a gamma above 0, found {}", settings.gamma));
+  if (settings.shading == Shading::occlusion && !scene.hasOctants()) {
+    throw GpuError("render: expected octants for shading by occlusion, found a scene without them");
+  }
+}
+
+shader::FrameUniforms makeUniforms(const Camera& camera, const RenderSettings& settings, const SceneTextures& scene) {
+  shader::FrameUniforms uniforms{};
+  setRays(uniforms, camera, settings.size, scene.frame, scene.size);
+  uniforms.albedo = glm::vec4(settings.albedo, 1 / settings.gamma);
+  uniforms.background = glm::vec4(glm::vec3(settings.background) * settings.background.a, settings.background.a);
+  const bool octants = scene.hasOctants() && (settings.shading == Shading::occlusion || settings.layers);
+  uniforms.gridSize = glm::ivec4(scene.size, octants ? 1 : 0);
+  uniforms.modes =
+      glm::ivec4(settings.shading == Shading::local ? 1 : 0, settings.normals == NormalSource::distance ? 1 : 0, 0, 0);
+  return uniforms;
+}
+
+// Index space and grid axes to the world, in double. Rows are independent.
+void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::vector<glm::vec4>& positions,
+                const Camera& camera, const GridFrame& grid, bool ambient) {
+  const glm::dvec3 forward = cameraAxes(camera).forward;
+  const std::size_t count = normals.size();
+  if (ambient) frame.ambient.resize(count);
+  frame.normal.resize(count);
+  frame.position.resize(count);
+  frame.depth.resize(count);
+  const auto width = static_cast<std::size_t>(frame.size.x);
+  parallelFor(static_cast<std::size_t>(frame.size.y), [&](std::size_t row) {
+    for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
+      const bool hit = positions[i].w > 0;
+      if (ambient) frame.ambient[i] = hit ? normals[i].w : 1;
+      if (!hit) {
+        frame.normal[i] = glm::vec3(0);
+        frame.position[i] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+        frame.depth[i] = std::numeric_limits<float>::infinity();
+        continue;
+      }
+      const glm::dvec3 world(grid.worldFromGrid * glm::dvec4(glm::dvec3(positions[i]), 1));
+      frame.normal[i] = glm::vec3(glm::normalize(grid.worldFromAxes * glm::dvec3(normals[i])));
+      frame.position[i] = glm::vec3(world);
+      frame.depth[i] = static_cast<float>(glm::dot(world - camera.eye, forward));
+    }
+  });
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+  GlProgram program;
+  GlBuffer uniformBuffer = GlBuffer::create();
+  GlVertexArray vertexArray = GlVertexArray::create();
+  std::array<GlTexture, 2> geometryTerms = uploadGeometryTerms();
+  SceneTextures scene;
+  Framebuffer framebuffer;
+
+  Impl() {
+    const ProgramVariant& march = programVariant("march");
+    program = buildProgram(march.vertex, march.fragment);
+    glNamedBufferStorage(uniformBuffer.name(), sizeof(shader::FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    checkGl("renderer");
+  }
+
+  void bindInputs(const shader::FrameUniforms& uniforms) const {
+    glNamedBufferSubData(uniformBuffer.name(), 0, sizeof(uniforms), &uniforms);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniformBuffer.name());
+    glUseProgram(program.name());
+    glBindVertexArray(vertexArray.name());
+    const std::array<GLuint, 7> textures{scene.level.name(),      scene.clearance.name(),  scene.distance.name(),
+                                         scene.octants[0].name(), scene.octants[1].name(), geometryTerms[0].name(),
+                                         geometryTerms[1].name()};
+    for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
+    for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE);
+  }
+
+  void draw(glm::vec2 pixelOrigin) const {
+    constexpr GLint kPixelOrigin = 0;
+    constexpr int kTriangle = 3;
+    glProgramUniform2f(program.name(), kPixelOrigin, pixelOrigin.x, pixelOrigin.y);
+    glDrawArrays(GL_TRIANGLES, 0, kTriangle);
+    glFinish();
+  }
+
+  // Colour (sum of the samples) and layers of one tile. One sample is its own centre; of several, the centre's layers
+  // are drawn on their own.
+  void drawTile(glm::vec2 pixelOrigin, glm::ivec2 size, const RenderSettings& settings) const {
+    const bool single = settings.samples == 1;
+    if (single || settings.layers) {
+      framebuffer.bind(size, single, settings.layers);
+      draw(pixelOrigin);
+    }
+    if (single) return;
+    framebuffer.bind(size, true, false);
+    framebuffer.clearColor();
+    glEnablei(GL_BLEND, 0);
+    for (int i = 0; i < settings.samples; ++i) draw(pixelOrigin + sampleOffset(i));
+    glDisablei(GL_BLEND, 0);
+  }
+};
+
+Renderer::Renderer(Context&) : impl_(std::make_unique<Impl>()) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+void Renderer::upload(const SceneFields& fields) {
+  impl_->scene = SceneTextures();  // room for the new one
+  impl_->scene = uploadScene(fields);
+}
+
+Frame Renderer::render(const Camera& camera, const RenderSettings& settings) try {
+  checkSettings(settings, impl_->scene);
+  const shader::FrameUniforms uniforms = makeUniforms(camera, settings, impl_->scene);
+  const glm::ivec2 size = settings.size;
+  const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  Frame frame;
+  frame.size = size;
+  frame.color.resize(count);
+  std::vector<glm::vec4> normals(settings.layers ? count : 0), positions(settings.layers ? count : 0);
+
+  const int tileWidth = std::min(size.x, kTileWidth);
+  const glm::ivec2 tile(tileWidth, std::min(size.y, kTilePixels / tileWidth));
+  impl_->framebuffer.reserve(tile, settings.layers);
+  impl_->bindInputs(uniforms);
+  for (int y = 0; y < size.y; y += tile.y) {
+    for (int x = 0; x < size.x; x += tile.x) {
+      const glm::ivec2 extent = glm::min(tile, size - glm::ivec2(x, y));
+      impl_->drawTile(glm::vec2(x, y) - 0.5f * glm::vec2(size), extent, settings);
+      const std::size_t start =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+      impl_->framebuffer.read(Attachment::color, extent, &frame.color[start], size.x);
+      if (!settings.layers) continue;
+      impl_->framebuffer.read(Attachment::normal, extent, &normals[start], size.x);
+      impl_->framebuffer.read(Attachment::position, extent, &positions[start], size.x);
+    }
+  }
+  checkGl("frame");
+  if (settings.samples > 1) {
+    const float share = 1 / static_cast<float>(settings.samples);
+    for (glm::vec4& color : frame.color) color *= share;
+  }
+  if (settings.layers) fillLayers(frame, normals, positions, camera, impl_->scene.frame, uniforms.gridSize.w != 0);
+  return frame;
+} catch (const std::bad_alloc&) {
+  throw GpuError(fmt::format("image: not enough memory for {}x{} pixels", settings.size.x, settings.size.y));
+} catch (const std::length_error&) {
+  throw GpuError(fmt::format("image: not enough memory for {}x{} pixels", settings.size.x, settings.size.y));
+}
+
+}  // namespace isolume

@@ -1,0 +1,59 @@
+#include "scene_textures.h"
+
+#include <fmt/format.h>
+
+#include "clearance.h"
+#include "gl_check.h"
+#include "gpu_error.h"
+#include "textures.h"
+
+namespace isolume {
+namespace {
+
+void checkSize(const char* what, glm::ivec3 size, glm::ivec3 expected) {
+  if (size != expected) {
+    throw GpuError(fmt::format("{}: expected {}x{}x{} samples as the level has, found {}x{}x{}", what, expected.x,
+                               expected.y, expected.z, size.x, size.y, size.z));
+  }
+}
+
+}  // namespace
+
+SceneTextures uploadScene(const SceneFields& fields) {
+  const glm::ivec3 size = fields.level.size;
+  if (!fields.level.data || size.x < 2 || size.y < 2 || size.z < 2) {
+    throw GpuError(
+        fmt::format("level: expected at least 2 samples along each axis, found {}x{}x{}", size.x, size.y, size.z));
+  }
+  checkSize("distance", fields.distance.size, size);
+  SceneTextures scene;
+  scene.size = size;
+  scene.frame = makeGridFrame(fields.worldFromGrid);
+  // The grid's own spacing is the matrix's up to rounding; lengths on the GPU go by the matrix.
+  GridView<const float> level = fields.level, distance = fields.distance;
+  level.spacing = distance.spacing = scene.frame.spacing;
+  scene.level = makeTexture3D("level", size, kR32F, GL_LINEAR, level.data);
+  scene.clearance = makeTexture3D("clearance", size - 1, kR8UI, GL_NEAREST, buildClearance(level, distance).data());
+  scene.distance = makeTexture3D("distance", size, kR16F, GL_LINEAR, packDistance(distance).data());
+  if (fields.octants[0].data) {
+    for (std::size_t i = 0; i < scene.octants.size(); ++i) {
+      checkSize("octants", fields.octants[i].size, size);
+      scene.octants[i] = makeTexture3D("octants", size, kRGBA8, GL_NEAREST, fields.octants[i].data);
+    }
+  }
+  glFinish();
+  checkGl("upload");
+  return scene;
+}
+
+std::array<GlTexture, 2> uploadGeometryTerms() {
+  const GeometryTermTables tables = makeGeometryTermTables();
+  std::array<GlTexture, 2> textures;
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    textures[i] =
+        makeTexture2D("geometry terms", glm::ivec2(tables.size), kRGBA32F, GL_LINEAR, tables.texels[i].data());
+  }
+  return textures;
+}
+
+}  // namespace isolume

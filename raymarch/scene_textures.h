@@ -1,0 +1,27 @@
+// The textures of one scene on the GPU.
+#pragma once
+
+#include "gl_objects.h"
+#include "renderer.h"
+#include "view.h"
+
+namespace isolume {
+
+struct SceneTextures {
+  GlTexture level;                   ///< R32F, samples
+  GlTexture clearance;               ///< R8UI, cells; clearance.h
+  GlTexture distance;                ///< R16F, samples, in smallest spacings
+  std::array<GlTexture, 2> octants;  ///< RGBA8, samples; absent where the scene has none
+  glm::ivec3 size{0};
+  GridFrame frame;
+
+  bool hasOctants() const { return static_cast<bool>(octants[0]); }
+};
+
+/// GpuError: fewer than two samples along an axis, grids of different sizes, or more than the GPU takes.
+SceneTextures uploadScene(const SceneFields& fields);
+
+/// The tables of geometry terms, RGBA32F.
+std::array<GlTexture, 2> uploadGeometryTerms();
+
+}  // namespace isolume

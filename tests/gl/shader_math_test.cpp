@@ -1,0 +1,247 @@
+// The pure functions of shaders/lib compiled as C++ and compared with double precision.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <optional>
+#include <random>
+
+#include "sweep/geometry_terms.h"
+
+namespace isolume {
+namespace glsl {
+using namespace glm;
+#include "shaders/lib/ambient.glsl"
+#include "shaders/lib/camera_ray.glsl"
+#include "shaders/lib/cell_cubic.glsl"
+#include "shaders/lib/clearance.glsl"
+#include "shaders/lib/ray_box.glsl"
+}  // namespace glsl
+
+namespace {
+
+// Uniform in [low, high), the same on every machine.
+class Random {
+ public:
+  double operator()(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
+  }
+  glm::dvec3 vector(double low, double high) {
+    const double x = (*this)(low, high), y = (*this)(low, high), z = (*this)(low, high);
+    return {x, y, z};
+  }
+
+ private:
+  std::mt19937 engine_{7};
+};
+
+double trilinear(const std::array<float, 8>& corner, glm::dvec3 p) {
+  double sum = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    sum += corner[i] * ((i & 1) ? p.x : 1 - p.x) * ((i & 2) ? p.y : 1 - p.y) * ((i & 4) ? p.z : 1 - p.z);
+  }
+  return sum;
+}
+
+glsl::Cubic cubicOf(const std::array<float, 8>& c, glm::dvec3 u, glm::dvec3 d) {
+  return glsl::cellCubic({c[0], c[1], c[2], c[3]}, {c[4], c[5], c[6], c[7]}, u, d);
+}
+
+TEST(ShaderMath, CellCubicIsTheInterpolantAlongTheRay) {
+  // For random cells and rays the cubic equals the trilinear interpolant to a few float roundings of the largest
+  // corner.
+  Random random;
+  for (int round = 0; round < 2000; ++round) {
+    std::array<float, 8> corner;
+    for (float& value : corner) value = static_cast<float>(random(-1, 1));
+    const glm::dvec3 u = glm::vec3(random.vector(0, 1)), d = glm::vec3(random.vector(-1, 1));
+    const glsl::Cubic g = cubicOf(corner, u, d);
+    for (const double t : {0.0, 0.3, 0.9}) {
+      ASSERT_NEAR(glsl::cubicAt(g, static_cast<float>(t)),
+                  trilinear(corner, u + static_cast<double>(static_cast<float>(t)) * d), 2e-6);
+      ASSERT_NEAR(glsl::cubicSlope(g, static_cast<float>(t)),
+                  (trilinear(corner, u + (t + 1e-5) * d) - trilinear(corner, u + (t - 1e-5) * d)) / 2e-5, 1e-5);
+    }
+  }
+}
+
+double at(const glsl::Cubic& g, double t) { return ((g.d * t + g.c) * t + g.b) * t + g.a; }
+
+// First point of a fine walk where the cubic is above 0.
+std::optional<double> walkToRise(const glsl::Cubic& g, double len) {
+  constexpr int kSteps = 20000;
+  for (int i = 0; i <= kSteps; ++i) {
+    if (at(g, len * i / kSteps) > 0) return len * i / kSteps;
+  }
+  return std::nullopt;
+}
+
+TEST(ShaderMath, FirstRiseIsTheFirst) {
+  // For random cubics that start at or below 0 the root is found exactly when a fine walk finds one, it is the first
+  // one, and it is a root; the walk cannot see bumps narrower than its step.
+  Random random;
+  int found = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const auto coefficient = [&](double scale) { return static_cast<float>(random(-scale, scale)); };
+    const glsl::Cubic g{static_cast<float>(-random(0, 0.3)), coefficient(1), coefficient(3), coefficient(3)};
+    const float len = static_cast<float>(random(0.01, 1.7));
+    const glsl::Bracket bracket = glsl::firstRise(g, len);
+    const auto expected = walkToRise(g, len);
+    if (!expected) {
+      if (bracket.found) {
+        ASSERT_LT(at(g, bracket.high), 1e-6) << round;
+      }
+      continue;
+    }
+    ++found;
+    ASSERT_TRUE(bracket.found) << round;
+    const double root = glsl::refineRise(g, bracket);
+    ASSERT_GE(root, 0);
+    ASSERT_LE(root, len);
+    // Not after the walk's first point, and the value there no more than the slope times twice the tolerance.
+    ASSERT_LE(root, *expected + 3e-5) << round;
+    const double slope = std::abs(3 * g.d * root * root + 2 * g.c * root + g.b);
+    ASSERT_LE(std::abs(at(g, root)), 2e-5 * slope + 1e-6) << round;
+  }
+  EXPECT_GT(found, 500);
+}
+
+TEST(ShaderMath, GrazingAndDegenerateCubics) {
+  // A bump that just reaches above 0 is found at its near flank, one that stays below is not, a double root from below
+  // is no rise, and constants, lines and parabolas work without a cubic term.
+  const auto bump = [](float height) { return glsl::Cubic{-0.25f + height, 1, -1, 0}; };  // top at t = 1/2
+  const glsl::Bracket above = glsl::firstRise(bump(1e-4f), 1);
+  ASSERT_TRUE(above.found);
+  EXPECT_NEAR(glsl::refineRise(bump(1e-4f), above), 0.5 - 0.01, 1e-4);
+  EXPECT_FALSE(glsl::firstRise(bump(-1e-4f), 1).found);
+  EXPECT_FALSE(glsl::firstRise(bump(0), 1).found);
+  EXPECT_FALSE(glsl::firstRise({-1, 0, 0, 0}, 1).found);
+  EXPECT_FALSE(glsl::firstRise({0, 0, 0, 0}, 1).found);
+  EXPECT_FALSE(glsl::firstRise({-1, 2, 0, 0}, 0).found);
+  EXPECT_NEAR(glsl::refineRise({-1, 2, 0, 0}, glsl::firstRise({-1, 2, 0, 0}, 1)), 0.5, 1e-5);
+  // Two rises within the cell: the first counts. (t - .2)(t - .5)(t - .8) scaled.
+  const glsl::Cubic three{-0.08f * 4, 0.66f * 4, -1.5f * 4, 4};
+  EXPECT_NEAR(glsl::refineRise(three, glsl::firstRise(three, 1)), 0.2, 1e-5);
+  // Already inside at the entry: a hit there, not later.
+  const glsl::Bracket entry = glsl::firstRise({1e-9f, -1, 0, 0}, 1);
+  EXPECT_TRUE(entry.found);
+  EXPECT_EQ(glsl::refineRise({1e-9f, -1, 0, 0}, entry), 0);
+}
+
+TEST(ShaderMath, RefinementConvergesOnFlatRoots) {
+  // A triple root, where Newton crawls, is still bracketed to the tolerance within the fixed number of steps.
+  const glsl::Cubic g{-0.125f, 0.75f, -1.5f, 1};  // (t - 1/2)^3
+  const glsl::Bracket bracket = glsl::firstRise(g, 1);
+  ASSERT_TRUE(bracket.found);
+  // Float evaluates (t - 1/2)^3 as 0 within (1e-7)^(1/3) of the root.
+  EXPECT_NEAR(glsl::refineRise(g, bracket), 0.5, 5e-3);
+}
+
+TEST(ShaderMath, TablesAndAddressGiveTheGeometryTerm) {
+  // Bilinear look-up in the tables at the address gives G_s(N) to 2e-4 for normals of all directions, also on the axes
+  // and at the horizon: the tables promise 1e-4, float addresses add the rest.
+  const GeometryTermTables tables = makeGeometryTermTables();
+  Random random;
+  for (int round = 0; round < 3000; ++round) {
+    glm::dvec3 n = glm::normalize(random.vector(-1, 1));
+    if (round % 3 == 0) n = glm::normalize(glm::dvec3(n.x, n.y, 0));
+    if (round < 6) n = glm::dvec3(round % 3 == 0, round % 3 == 1, round % 3 == 2) * (round < 3 ? 1.0 : -1.0);
+    const glsl::GeometryAddress address = glsl::geometryAddress(n, static_cast<float>(tables.size));
+    ASSERT_EQ(address.swapped, n.z < 0);
+    const glm::dvec2 p = glm::dvec2(address.uv) * static_cast<double>(tables.size) - 0.5;
+    const glm::ivec2 low = glm::clamp(glm::ivec2(glm::floor(p)), glm::ivec2(0), glm::ivec2(tables.size - 2));
+    for (int octant = 0; octant < kOctantCount; ++octant) {
+      const auto& texels = tables.texels[static_cast<std::size_t>((octant / 4) ^ (address.swapped ? 1 : 0))];
+      double sum = 0;
+      for (int corner = 0; corner < 4; ++corner) {
+        const glm::ivec2 q = low + glm::ivec2(corner & 1, corner >> 1);
+        const glm::dvec2 w = 1.0 - glm::abs(p - glm::dvec2(q));
+        sum += w.x * w.y * texels[static_cast<std::size_t>(q.y * tables.size + q.x)][octant % 4];
+      }
+      ASSERT_NEAR(sum, octantGeometryTerm(octant, n), 2e-4) << n.x << " " << n.y << " " << n.z << " octant " << octant;
+    }
+  }
+}
+
+TEST(ShaderMath, AmbientIsNormalised) {
+  // All octants open: (sum of G) / pi = 1; rounding above 1 is cut.
+  const glm::vec4 open(1);
+  const glm::vec4 share(static_cast<float>(M_PI / 8));
+  EXPECT_NEAR(glsl::ambientOpenness(open, open, share, share), 1, 1e-6);
+  EXPECT_NEAR(glsl::ambientOpenness(open, glm::vec4(0), share, share), 0.5, 1e-6);
+  EXPECT_EQ(glsl::ambientOpenness(open, open, share * 1.01f, share), 1);
+}
+
+TEST(ShaderMath, CameraRaysPassThroughEyeAndPixel) {
+  // Perspective: the eye lies on the ray at `start`. Orthographic: all rays are parallel. One unit of the parameter is
+  // one smallest spacing of length.
+  const glm::vec4 scale(2, 1, 1.5f, 0), plane(10, 20, 30, 40), x(0.1f, 0, 0, 0), y(0, 0, -0.1f, 0);
+  const glm::vec4 eye(10, -20, 30, 1);
+  const glsl::Ray ray = glsl::cameraRay(plane, x, y, eye, scale, {30, -20});
+  EXPECT_LT(glm::length(ray.origin - glm::vec3(13, 20, 32)), 1e-5f);
+  EXPECT_LT(glm::length(ray.origin + ray.start * ray.direction - glm::vec3(eye)), 1e-4f);
+  EXPECT_NEAR(glm::length(ray.direction * glm::vec3(scale)), 1, 1e-6);
+  const glm::vec4 parallel(0, -1, 0, 0);
+  const glsl::Ray a = glsl::cameraRay(plane, x, y, parallel, scale, {30, -20});
+  const glsl::Ray b = glsl::cameraRay(plane, x, y, parallel, scale, {0, 0});
+  EXPECT_EQ(a.direction, b.direction);
+  EXPECT_EQ(a.start, -40);
+  // Components of 0 are replaced, so that their inverse is finite.
+  EXPECT_NE(a.direction.x, 0);
+  EXPECT_TRUE(std::isfinite(1 / a.direction.x));
+}
+
+TEST(ShaderMath, BoxSpanIsTheSlabTest) {
+  // Entry and exit of random rays lie on the faces named, and points between are inside.
+  Random random;
+  const glm::dvec3 high(7, 3, 11);
+  int met = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const glm::vec3 o = random.vector(-10, 20), d = random.vector(-1, 1);
+    const glsl::BoxSpan span = glsl::boxSpan(o, 1.0f / d, high);
+    if (!(span.enter < span.leave)) {
+      for (double t = -40; t < 40; t += 0.5) {
+        const glm::dvec3 p = glm::dvec3(o) + t * glm::dvec3(d);
+        ASSERT_FALSE(glm::all(glm::greaterThan(p, glm::dvec3(1e-3))) && glm::all(glm::lessThan(p, high - 1e-3)));
+      }
+      continue;
+    }
+    ++met;
+    const glm::dvec3 middle = glm::dvec3(o) + 0.5 * (span.enter + span.leave) * glm::dvec3(d);
+    ASSERT_TRUE(glm::all(glm::greaterThanEqual(middle, glm::dvec3(-1e-4))) &&
+                glm::all(glm::lessThanEqual(middle, high + 1e-4)));
+    const double entry = o[span.enterAxis] + span.enter * d[span.enterAxis];
+    ASSERT_NEAR(entry, d[span.enterAxis] > 0 ? 0 : high[span.enterAxis], 1e-4);
+  }
+  EXPECT_GT(met, 100);
+}
+
+TEST(ShaderMath, CellExitAndBallExitLieOnTheirSurfaces) {
+  // The exit of a cell lies on the face named; the exit of a ball lies on the sphere, and is 0 from outside it.
+  Random random;
+  const glm::dvec3 spacing(1, 2, 1.5);
+  for (int round = 0; round < 1000; ++round) {
+    const glm::ivec3 cell(5, 9, 2);
+    const glm::vec3 p = glm::dvec3(cell) + random.vector(0, 1);
+    const glm::vec3 d = glm::normalize(random.vector(-1, 1)) / spacing;
+    const glsl::CellExit leave = glsl::cellExit(p, 1.0f / d, cell);
+    ASSERT_GE(leave.t, 0);
+    ASSERT_NEAR(p[leave.axis] + leave.t * d[leave.axis], cell[leave.axis] + (d[leave.axis] > 0 ? 1 : 0), 1e-5);
+    const float radius = static_cast<float>(random(0.2, 9));
+    const float step = glsl::ballExit(p, d, cell, spacing, radius);
+    const auto fromCentre = [&](double t) {
+      return glm::length((glm::dvec3(p) + t * glm::dvec3(d) - glm::dvec3(cell) - 0.5) * spacing);
+    };
+    if (fromCentre(0) < radius - 1e-4) {
+      ASSERT_NEAR(fromCentre(step), radius, 1e-4);
+    }
+    // From outside, either the ray misses the ball (0), or what is returned is still on the sphere: never beyond it.
+    ASSERT_LE(step > 0 ? fromCentre(step) : 0, radius + 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace isolume

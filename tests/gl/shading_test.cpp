@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "gl/gl_scene.h"
+#include "raymarch/gpu_error.h"
+#include "sweep/geometry_terms.h"
+
+namespace isolume::test {
+namespace {
+
+// The sphere from all around, so that all normals occur: two opposite cameras.
+std::array<Camera, 2> bothSides(const GlScene& scene) {
+  return {frameScene(scene, {.azimuthDegrees = 30, .elevationDegrees = 25}),
+          frameScene(scene, {.azimuthDegrees = 210, .elevationDegrees = -25})};
+}
+
+TEST(Shading, OpenSurfaceIsFullyLit) {
+  // With every octant open, A = 1 whatever the normal: the eight tables sum to pi at every texel.
+  const GlScene scene = makeSphere();
+  RenderSettings settings = layerSettings();
+  settings.shading = Shading::occlusion;
+  for (const Camera& camera : bothSides(scene)) {
+    const Frame frame = renderOnce(scene, camera, settings);
+    for (float ambient : frame.ambient) ASSERT_NEAR(ambient, 1, 1e-5);
+  }
+}
+
+TEST(Shading, EachOctantLightsItsOwnSide) {
+  // With one octant open, A = G_s(N) / pi of that octant: addressing, channels, and the swap for N.z < 0.
+  // The tables are good to 1e-4 of G, and 8-bit weights of hardware filters add half as much.
+  constexpr double kTolerance = 2e-4;
+  GlScene scene = makeSphere();
+  RenderSettings settings = layerSettings(60, 48);
+  settings.shading = Shading::occlusion;
+  for (int octant = 0; octant < kOctantCount; ++octant) {
+    for (int half = 0; half < 2; ++half) {
+      glm::u8vec4 open(0);
+      if (octant / 4 == half) open[octant % 4] = 255;
+      std::fill_n(scene.octants[static_cast<std::size_t>(half)].data(), scene.level.count(), open);
+    }
+    double brightest = 0;
+    for (const Camera& camera : bothSides(scene)) {
+      const Frame frame = renderOnce(scene, camera, settings);
+      for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+        if (!std::isfinite(frame.depth[i])) continue;
+        const double expected = octantGeometryTerm(octant, glm::normalize(glm::dvec3(frame.normal[i]))) / M_PI;
+        ASSERT_NEAR(frame.ambient[i], expected, kTolerance) << "octant " << octant;
+        brightest = std::max(brightest, expected);
+      }
+    }
+    EXPECT_GT(brightest, 0.25) << "octant " << octant;
+  }
+}
+
+TEST(Shading, VisibilityIsInterpolatedLinearly) {
+  // Octants that grow linearly along x give an A that is linear in the x of the hit.
+  GlScene scene = makeSphere();
+  for (Grid<glm::u8vec4>& grid : scene.octants) {
+    for (std::size_t i = 0; i < grid.count(); ++i) grid.data()[i] = glm::u8vec4(static_cast<std::uint8_t>(i % 48 * 5));
+  }
+  RenderSettings settings = layerSettings();
+  settings.shading = Shading::occlusion;
+  const Frame frame = renderOnce(scene, frameScene(scene), settings);
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    // Exact but for float rounding, since the shader filters by hand: the hardware would round to 8 bits.
+    if (std::isfinite(frame.depth[i])) {
+      ASSERT_NEAR(frame.ambient[i], frame.position[i].x * 5 / 255, 1e-5);
+    }
+  }
+}
+
+TEST(Shading, GammaAlbedoAndHeadLight) {
+  // colour = albedo * A^(1 / gamma); with local shading A = |N . V|.
+  const GlScene scene = makeSphere();
+  const Camera camera = frameScene(scene, {.projection = Projection::orthographic});
+  RenderSettings settings = layerSettings();
+  settings.albedo = {0.5f, 0.25f, 1};
+  settings.gamma = 2;
+  const Frame frame = renderOnce(scene, camera, settings);
+  const glm::dvec3 viewer = -cameraAxes(camera).forward;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    if (!std::isfinite(frame.depth[i])) continue;
+    const double expected = std::sqrt(std::abs(glm::dot(glm::dvec3(frame.normal[i]), viewer)));
+    ASSERT_NEAR(frame.color[i].r, 0.5 * expected, 1e-4);
+    ASSERT_NEAR(frame.color[i].g, 0.25 * expected, 1e-4);
+    ASSERT_NEAR(frame.color[i].b, expected, 1e-4);
+    ASSERT_EQ(frame.color[i].a, 1);
+  }
+}
+
+TEST(Shading, DistanceNormalsFollowTheDistance) {
+  // A level squeezed beyond recognition (its cube) keeps the surface, and the normals of the distance stay radial to
+  // the half-float resolution of the distance (2^-10 within two voxels, over a difference of two voxels).
+  GlScene scene = makeSphere();
+  for (std::size_t i = 0; i < scene.level.count(); ++i) scene.level.data()[i] = std::pow(scene.level.data()[i], 3.0f);
+  RenderSettings settings = layerSettings();
+  settings.normals = NormalSource::distance;
+  const Frame frame = renderOnce(scene, frameScene(scene), settings);
+  int hits = 0;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    if (!std::isfinite(frame.depth[i])) continue;
+    ++hits;
+    const glm::dvec3 radial = glm::normalize(glm::dvec3(frame.position[i]) - sphereCentre(48));
+    ASSERT_LT(glm::length(radial - glm::dvec3(frame.normal[i])), 3e-3);
+  }
+  EXPECT_GT(hits, 1000);
+}
+
+TEST(Shading, OcclusionNeedsOctants) {
+  // A scene without octants renders with local shading and has no ambient layer; by occlusion it is an error.
+  const GlScene scene = makeSphere();
+  SceneFields fields = scene.fields();
+  fields.octants = {};
+  const auto context = makeContext("osmesa");
+  Renderer renderer(*context);
+  renderer.upload(fields);
+  const Frame frame = renderer.render(frameScene(scene), layerSettings());
+  EXPECT_TRUE(frame.ambient.empty());
+  EXPECT_FALSE(frame.normal.empty());
+  RenderSettings settings = layerSettings();
+  settings.shading = Shading::occlusion;
+  EXPECT_THROW(renderer.render(frameScene(scene), settings), GpuError);
+}
+
+}  // namespace
+}  // namespace isolume::test
