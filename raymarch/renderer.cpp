@@ -32,6 +32,10 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.samples < 1)
     throw GpuError(fmt::format("image: expected at least 1 sample, found {}", settings.samples));
   if (!(settings.gamma > 0)) throw GpuError(fmt::format("image: expected a gamma above 0, found {}", settings.gamma));
+  if (!(settings.readOffsetVoxels >= 0)) {
+    throw GpuError(fmt::format("image: expected octants read at least 0 voxels above the surface, found {}",
+                               settings.readOffsetVoxels));
+  }
   if (settings.shading == Shading::occlusion && !scene.hasOctants()) {
     throw GpuError("render: expected octants for shading by occlusion, found a scene without them");
   }
@@ -40,6 +44,7 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
 shader::FrameUniforms makeUniforms(const Camera& camera, const RenderSettings& settings, const SceneTextures& scene) {
   shader::FrameUniforms uniforms{};
   setRays(uniforms, camera, settings.size, scene.frame, scene.size);
+  uniforms.scale.w = settings.readOffsetVoxels;
   uniforms.albedo = glm::vec4(settings.albedo, 1 / settings.gamma);
   uniforms.background = glm::vec4(glm::vec3(settings.background) * settings.background.a, settings.background.a);
   const bool octants = scene.hasOctants() && (settings.shading == Shading::occlusion || settings.layers);

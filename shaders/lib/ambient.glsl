@@ -19,3 +19,15 @@ const float kInversePi = 0.318309886184f;
 float ambientOpenness(vec4 visibility0, vec4 visibility1, vec4 geometry0, vec4 geometry1) {
   return clamp((dot(visibility0, geometry0) + dot(visibility1, geometry1)) * kInversePi, 0.0f, 1.0f);
 }
+
+// Visibility of four octants with the same sign of z (zSign: towards their light; channel order of sweep/octants.h) at a
+// point that lies `beyond` the border of the grid, from that at the border: within a voxel it opens to the light that
+// enters there.
+vec4 openBeyondBorder(vec4 visibility, vec3 beyond, float zSign) {
+  float x = clamp(beyond.x, -1.0f, 1.0f);
+  float y = clamp(beyond.y, -1.0f, 1.0f);
+  float z = clamp(beyond.z * zSign, 0.0f, 1.0f);
+  vec4 fromX = x > 0.0f ? vec4(0.0f, x, 0.0f, x) : vec4(-x, 0.0f, -x, 0.0f);
+  vec4 fromY = y > 0.0f ? vec4(0.0f, 0.0f, y, y) : vec4(-y, -y, 0.0f, 0.0f);
+  return mix(visibility, vec4(1.0f), max(max(fromX, fromY), vec4(z)));
+}

@@ -54,12 +54,16 @@ vec4 octantsAt(sampler3D octants, vec3 position) {
   return mix(sum[0], sum[1], weight.z);
 }
 
-float hitAmbient(vec3 position, vec3 normal) {
+// The octants are read frame.scale.w voxels above the surface along the normal: 0 is [Singh10]. Next to the surface Eq. 7
+// makes it occlude itself by an amount that depends on where it cuts the voxels, which shows as stripes.
+float hitAmbient(vec3 hit, vec3 normal) {
+  vec3 above = hit + frame.scale.w * normal;
+  vec3 position = clamp(above, vec3(0.0f), vec3(frame.gridSize.xyz - 1));
   GeometryAddress address = geometryAddress(normal, float(textureSize(geometry0Texture, 0).x));
   vec4 geometry0 = texture(geometry0Texture, address.uv);
   vec4 geometry1 = texture(geometry1Texture, address.uv);
-  vec4 visibility0 = octantsAt(octants0Texture, position);
-  vec4 visibility1 = octantsAt(octants1Texture, position);
+  vec4 visibility0 = openBeyondBorder(octantsAt(octants0Texture, position), above - position, -1.0f);
+  vec4 visibility1 = openBeyondBorder(octantsAt(octants1Texture, position), above - position, 1.0f);
   return address.swapped ? ambientOpenness(visibility0, visibility1, geometry1, geometry0)
                          : ambientOpenness(visibility0, visibility1, geometry0, geometry1);
 }

@@ -6,7 +6,7 @@ struct FrameUniforms {
   vec4 planeX;      // step on that plane from a pixel to its right neighbour
   vec4 planeY;      // step on that plane from a pixel to the one below
   vec4 eye;         // perspective: eye, 1. Orthographic: -direction, 0. So direction ~ w * planePoint - xyz
-  vec4 scale;       // spacing / smallest spacing
+  vec4 scale;       // spacing / smallest spacing; w: how far above a hit the octants are read, voxels
   vec4 albedo;      // linear; w: 1 / gamma
   vec4 background;  // linear, premultiplied
   ivec4 gridSize;   // samples along each axis; w: 1 where there are octants

@@ -1,0 +1,175 @@
+#include "src/cli/render_options.h"
+
+#include <filesystem>
+
+#include "raymarch/context.h"
+#include "src/cli/option_builder.h"
+#include "src/cli/parse_value.h"
+#include "src/cli/surface_options.h"
+
+namespace isolume {
+namespace {
+
+constexpr double kMaxOffset = 16;  ///< voxels; farther away the light is no longer that of the surface point
+constexpr int kMaxSamples = 1024;  ///< per pixel; beyond it nothing visible changes
+
+void addCameraOptions(CLI::App& app, CameraRequest& camera) {
+  OptionGroup group(app, "Camera (default: frames the whole solid)");
+  const Framing defaults;
+  const auto number = [&group](const std::string& flag, const std::string& unit, std::optional<double>& target,
+                               const std::string& description) {
+    group.value(
+        flag, unit,
+        [&target](const std::string& option, const std::string& text) { target = parseNumber(option, text); },
+        description);
+  };
+  const auto vector = [&group](const std::string& flag, std::optional<glm::dvec3>& target,
+                               const std::string& description) {
+    group.value(
+        flag, "X,Y,Z",
+        [&target](const std::string& option, const std::string& text) { target = parseVector(option, text); },
+        description);
+  };
+  number("--azimuth", "DEG", camera.azimuth,
+         fmt::format("around the up axis; 0 looks along +y, 90 along -x (default: {})", defaults.azimuthDegrees));
+  number("--elevation", "DEG", camera.elevation,
+         fmt::format("above the horizon (default: {})", defaults.elevationDegrees));
+  vector("--eye", camera.eye, "where the camera is, world units; instead of the two above");
+  vector("--target", camera.target, "what it looks at, world units; with --eye");
+  vector("--up", camera.up, "what points upwards in the picture (default: 0,0,1)");
+  number("--roll", "DEG", camera.roll, "turns the camera clockwise (default: 0)");
+  group.value(
+      "--zoom", "FACTOR",
+      [&camera](const std::string& option, const std::string& text) { camera.zoom = parsePositive(option, text); },
+      "magnifies about the centre (default: 1)");
+  group.value(
+      "--projection", "KIND",
+      [&camera](const std::string& option, const std::string& text) {
+        camera.projection = parseChoice<Projection>(
+            option, text, {{"perspective", Projection::perspective}, {"orthographic", Projection::orthographic}});
+      },
+      "perspective or orthographic (default: perspective)");
+  group.value(
+      "--fov", "DEG",
+      [&camera](const std::string& option, const std::string& text) {
+        camera.fov = parseBetween(option, text, 0, 180);
+      },
+      fmt::format("vertical field of view, perspective (default: {})", defaults.fovDegrees));
+  group.value(
+      "--height", "LENGTH",
+      [&camera](const std::string& option, const std::string& text) { camera.height = parsePositive(option, text); },
+      "height of the picture, world units; orthographic with --eye");
+}
+
+void addShadingOptions(CLI::App& app, RenderJob& job) {
+  OptionGroup group(app, "Shading");
+  group.value(
+      "--occlusion", "METHOD",
+      [&job](const std::string& option, const std::string& text) {
+        job.shading = parseChoice<Shading>(option, text, {{"singh10", Shading::occlusion}, {"none", Shading::local}});
+      },
+      "singh10: ambient occlusion by eight octant sweeps;\nnone: a head light, no sweep for visibility (default: "
+      "singh10)");
+  group.value(
+      "--occlusion-offset", "VOXELS",
+      [&job](const std::string& option, const std::string& text) {
+        job.occlusionOffset = parseWithin(option, text, 0, kMaxOffset);
+      },
+      fmt::format(
+          "where the octants are read: so far above the surface along\nthe normal; 0 is the paper's (default: {})",
+          job.occlusionOffset));
+  group.value(
+      "--normals", "SOURCE",
+      [&job](const std::string& option, const std::string& text) {
+        job.normals = parseChoice<NormalSource>(option, text,
+                                                {{"data", NormalSource::data}, {"distance", NormalSource::distance}});
+      },
+      "gradient of the data or of the distance (default: data)");
+  group.value(
+      "--gamma", "G",
+      [&job](const std::string& option, const std::string& text) { job.gamma = parsePositive(option, text); },
+      "brightens occluded parts: openness^(1/G) (default: 1)");
+  group.value(
+      "--albedo", "COLOR",
+      [&job](const std::string& option, const std::string& text) { job.albedo = parseColor(option, text); },
+      "surface colour: name, #rrggbb or r,g,b in 0..1 (default: white)");
+  group.value(
+      "--background", "COLOR",
+      [&job](const std::string& option, const std::string& text) {
+        job.transparent = text == "transparent";
+        job.background = job.transparent ? Color{"transparent", glm::vec3(0)} : parseColor(option, text);
+      },
+      "the same, or transparent (default: white)");
+}
+
+Layers parseLayers(const std::string& option, const std::string& text) {
+  Layers layers;
+  const Choices<bool Layers::*> choices{{"ambient", &Layers::ambient},
+                                        {"normal", &Layers::normal},
+                                        {"position", &Layers::position},
+                                        {"depth", &Layers::depth},
+                                        {"all", &Layers::all}};
+  for (const std::string& name : splitList(text)) layers.*parseChoice(option, name, choices) = true;
+  return layers;
+}
+
+void addPictureOptions(CLI::App& app, RenderJob& job) {
+  addOutputOption(app, job.output, "FILE", "picture to write: .png (sRGB) or .exr (linear float)");
+  OptionGroup group(app, "Output");
+  group.value(
+      "--size", "WxH",
+      [&job](const std::string& option, const std::string& text) { job.size = parseSize(option, text); },
+      fmt::format("pixels (default: {}x{})", job.size.x, job.size.y));
+  group.value(
+      "--samples", "N",
+      [&job](const std::string& option, const std::string& text) {
+        job.samples = parseCount(option, text, 1, kMaxSamples);
+      },
+      fmt::format("anti-aliasing samples per pixel (default: {})", job.samples));
+  group.value(
+      "--bit-depth", "BITS",
+      [&job](const std::string& option, const std::string& text) {
+        job.bitDepth = parseChoice<int>(option, text, {{"8", 8}, {"16", 16}});
+      },
+      "8 or 16, PNG (default: 8)");
+  group.value(
+      "--layers", "LIST",
+      [&job](const std::string& option, const std::string& text) { job.layers = parseLayers(option, text); },
+      "EXR: ambient,normal,position,depth or all (default: none)");
+}
+
+}  // namespace
+
+void addRenderOptions(CLI::App& app, RenderJob& job) {
+  addPictureOptions(app, job);
+  addCameraOptions(app, job.camera);
+  addShadingOptions(app, job);
+  Choices<std::string> backends{{"auto", "auto"}};
+  std::string list = "auto";
+  for (const std::string_view name : backendNames()) {
+    backends.emplace_back(name, name);
+    list += ", " + std::string(name);
+  }
+  OptionGroup(app, "Running")
+      .value(
+          "--backend", "NAME",
+          [&job, backends](const std::string& option, const std::string& text) {
+            job.backend = parseChoice(option, text, backends);
+          },
+          fmt::format("OpenGL context: {} (default: auto)", list));
+}
+
+void checkRenderOptions(const RenderJob& job) {
+  checkCamera(job.camera);
+  const std::string ending = std::filesystem::path(job.output).extension().string();
+  if (ending != ".png" && ending != ".exr")
+    throw UsageError(fmt::format("--output: expected a name that ends in .png or .exr, found '{}'", job.output));
+  if (ending == ".png" && job.layers.any())
+    throw UsageError(fmt::format("--layers: expected an .exr to hold them, found '{}'", job.output));
+  if (ending == ".exr" && job.bitDepth)
+    throw UsageError(fmt::format("--bit-depth: expected a .png (an .exr holds 32-bit floats), found '{}'", job.output));
+  if (job.shading == Shading::local && job.layers.ambient)
+    throw UsageError("--layers: expected no 'ambient' with --occlusion none, which computes no openness");
+}
+
+}  // namespace isolume

@@ -1,0 +1,57 @@
+#include "src/cli/run.h"
+
+#include <fmt/core.h>
+
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "raymarch/gpu_error.h"
+#include "src/cli/command_line.h"
+#include "src/errors.h"
+#include "src/io/output_file.h"
+
+namespace isolume {
+namespace {
+
+enum ExitCode { kSuccess = 0, kDefect = 1, kUsage = 2, kInput = 3, kGpu = 4, kOutput = 5 };
+
+int report(ExitCode code, std::string_view what) {
+  fmt::print(stderr, "isolume: error: {}\n", what);
+  return code;
+}
+
+struct JobRunner {
+  void operator()(const PrintedText& text) const { fmt::print("{}", text.text); }
+  void operator()(const RenderJob& job) const { runRenderJob(job); }
+  void operator()(const InfoJob& job) const { runInfoJob(job); }
+  void operator()(const FieldsJob& job) const { runFieldsJob(job); }
+  void operator()(const SampleJob& job) const { runSampleJob(job); }
+};
+
+}  // namespace
+
+int runProgram(int argc, char** argv) {
+  installInterruptHandler();
+  try {
+    std::visit(JobRunner{}, parseCommandLine(argc, argv));
+    if (std::fflush(stdout) != 0) return report(kOutput, "standard output: cannot write");
+    return kSuccess;
+  } catch (const UsageError& error) {
+    return report(kUsage, error.what());
+  } catch (const InputError& error) {
+    return report(kInput, error.what());
+  } catch (const GpuError& error) {
+    return report(kGpu, error.what());
+  } catch (const OutputError& error) {
+    return report(kOutput, error.what());
+  } catch (const std::bad_alloc&) {
+    return report(kInput, "out of memory: the volume and its fields need more than this machine can give");
+  } catch (const std::exception& error) {
+    return report(kDefect, fmt::format("unexpected: {}", error.what()));
+  }
+}
+
+}  // namespace isolume

@@ -1,0 +1,99 @@
+#include "src/jobs/provenance.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "src/io/checksum.h"
+#include "src/jobs/render_job.h"
+#include "src/version.h"
+
+namespace isolume {
+namespace {
+
+std::string layerList(const Layers& layers) {
+  std::string list;
+  const auto add = [&list](bool wanted, const char* name) {
+    if (wanted) list.append(list.empty() ? "" : ",").append(name);
+  };
+  add(layers.ambient, "ambient");
+  add(layers.normal, "normal");
+  add(layers.position, "position");
+  add(layers.depth, "depth");
+  add(layers.all, "all");
+  return list;
+}
+
+nlohmann::ordered_json pictureSettings(const RenderJob& job) {
+  nlohmann::ordered_json settings;
+  settings["size"] = fmt::format("{}x{}", job.size.x, job.size.y);
+  settings["samples"] = job.samples;
+  settings["occlusion"] = job.shading == Shading::occlusion ? "singh10" : "none";
+  if (job.shading == Shading::occlusion) settings["occlusion-offset"] = job.occlusionOffset;
+  settings["normals"] = job.normals == NormalSource::data ? "data" : "distance";
+  settings["gamma"] = job.gamma;
+  settings["albedo"] = job.albedo.text;
+  settings["background"] = job.background.text;
+  if (job.layers.any()) settings["layers"] = layerList(job.layers);
+  if (job.bitDepth) settings["bit-depth"] = *job.bitDepth;
+  return settings;
+}
+
+std::string optionText(const nlohmann::ordered_json& settings) {
+  std::string text;
+  for (const auto& [key, value] : settings.items())
+    text += fmt::format("{}--{} {}", text.empty() ? "" : " ", key,
+                        value.is_string() ? value.get<std::string>() : value.dump());
+  return text;
+}
+
+}  // namespace
+
+std::string checksumText(const std::vector<std::string>& files) {
+  std::string text;
+  for (const std::string& file : files)
+    text += fmt::format("{}{}  {}", text.empty() ? "" : "; ", sha256OfFile(file),
+                        std::filesystem::path(file).filename().string());
+  return text;
+}
+
+Provenance surfaceProvenance(const std::string& command, const std::string& input, const Surface& surface,
+                             const std::string& checksums) {
+  Provenance provenance;
+  provenance.metadata = {
+      {"Software", fmt::format("isolume {}", kVersion)},
+      {"isolume:command", command},
+      {"isolume:version", std::string(kVersion)},
+      {"isolume:input", input},
+      {"isolume:input_sha256", checksums},
+      {"isolume:isovalue", fmt::format("{}", surface.isovalue)},
+      {"isolume:inside", insideName(surface.inside)},
+  };
+  if (!surface.gridName.empty()) provenance.metadata.emplace_back("isolume:grid", surface.gridName);
+  if (!surface.source.empty()) provenance.metadata.emplace_back("isolume:fields_source", surface.source);
+  nlohmann::ordered_json& settings = provenance.settings;
+  settings["isovalue"] = surface.isovalue;
+  settings["isovalue_choice"] = surface.isovalueReason;
+  settings["inside"] = insideName(surface.inside);
+  if (!surface.gridName.empty()) settings["grid"] = surface.gridName;
+  return provenance;
+}
+
+Provenance renderProvenance(const RenderJob& job, const Surface& surface, const Camera& camera, const Context& context,
+                            const std::string& checksums) {
+  Provenance provenance = surfaceProvenance(job.run.command, job.surface.input, surface, checksums);
+  const nlohmann::ordered_json picture = pictureSettings(job);
+  const std::string backend(context.backend());
+  const std::string cameraText = cameraOptions(camera);
+  provenance.metadata.insert(provenance.metadata.end(), {{"isolume:camera", cameraText},
+                                                         {"isolume:settings", optionText(picture)},
+                                                         {"isolume:backend", backend},
+                                                         {"isolume:gl", context.description()}});
+  provenance.settings.update(picture);
+  provenance.settings["camera"] = cameraText;
+  provenance.settings["backend"] = backend;
+  provenance.settings["gl"] = context.description();
+  return provenance;
+}
+
+}  // namespace isolume

@@ -1,0 +1,35 @@
+// How an output was made: the same facts for an image's metadata, a fields file and the report. No date and no host
+// name, so that the same command gives the same bytes.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "raymarch/camera.h"
+#include "raymarch/context.h"
+#include "src/jobs/surface.h"
+
+namespace isolume {
+
+struct RenderJob;
+
+struct Provenance {
+  /// Image metadata. isolume:camera and isolume:settings are options of `isolume render`: with the input, the isovalue
+  /// and the side they draw the same picture again, bit for bit.
+  std::vector<std::pair<std::string, std::string>> metadata;
+  nlohmann::ordered_json settings;  ///< every setting, defaults resolved
+};
+
+/// `HASH  FILE` (SHA-256) for every file, joined by "; ". Thread-safe.
+std::string checksumText(const std::vector<std::string>& files);
+
+/// What holds for the surface alone: command, version, input, checksum, isovalue, side.
+Provenance surfaceProvenance(const std::string& command, const std::string& input, const Surface& surface,
+                             const std::string& checksums);
+
+Provenance renderProvenance(const RenderJob& job, const Surface& surface, const Camera& camera, const Context& context,
+                            const std::string& checksums);
+
+}  // namespace isolume

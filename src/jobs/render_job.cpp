@@ -1,0 +1,89 @@
+#include "src/jobs/render_job.h"
+
+#include <future>
+
+#include "raymarch/context.h"
+#include "src/io/image.h"
+#include "src/io/image_codec.h"
+#include "src/io/output_file.h"
+#include "src/jobs/frame_image.h"
+#include "src/jobs/provenance.h"
+#include "src/jobs/report.h"
+#include "sweep/parallel.h"
+
+namespace isolume {
+namespace {
+
+constexpr int kDefaultBitDepth = 8;
+
+RenderSettings renderSettings(const RenderJob& job) {
+  RenderSettings settings;
+  settings.size = job.size;
+  settings.samples = job.samples;
+  settings.shading = job.shading;
+  settings.normals = job.normals;
+  settings.readOffsetVoxels = static_cast<float>(job.occlusionOffset);
+  settings.gamma = static_cast<float>(job.gamma);
+  settings.albedo = job.albedo.linear;
+  settings.background = glm::vec4(job.background.linear, job.transparent ? 0.0f : 1.0f);
+  settings.layers = job.layers.any();
+  return settings;
+}
+
+SceneFields sceneFields(const SweptScene& scene) {
+  SceneFields fields;
+  fields.worldFromGrid = scene.surface.worldFromGrid;
+  fields.level = scene.surface.level.view();
+  fields.distance = scene.swept.distance.view();
+  for (std::size_t i = 0; i < fields.octants.size(); ++i)
+    if (!scene.swept.visibility.packed[i].empty()) fields.octants[i] = scene.swept.visibility.packed[i].view();
+  return fields;
+}
+
+/// What the scene takes on the GPU, as of raymarch/renderer.h.
+std::size_t textureBytes(const SceneFields& fields) {
+  constexpr std::size_t kLevelBytes = 4, kDistanceBytes = 2, kOctantsBytes = 8;
+  return fields.level.count() * (kLevelBytes + kDistanceBytes + (fields.octants[0].data ? kOctantsBytes : 0));
+}
+
+}  // namespace
+
+void runRenderJob(const RenderJob& job) {
+  checkWritable(job.output);
+  if (!job.run.report.empty()) checkWritable(job.run.report);
+  limitThreads(job.run.threads);
+  // The first parallel loop makes oneTBB load libraries of its own. It goes first: later the loader's lock is taken for
+  // as long as the image codec is being loaded, and reading would wait for it.
+  parallelFor(1, [](std::size_t) {});
+  preloadImageCodec();
+  StageLog log(job.run);
+
+  const SweptScene scene = loadScene(
+      job.surface, job.shading == Shading::occlusion ? VisibilityStorage::rgba8 : VisibilityStorage::none, log);
+  // Beside drawing: it reads the files once more and uses one core.
+  std::future<std::string> checksums = std::async(std::launch::async, checksumText, scene.surface.files);
+
+  log.begin("upload", "preparing OpenGL");
+  const std::unique_ptr<Context> context = makeContext(job.backend);
+  Renderer renderer(*context);
+  const SceneFields fields = sceneFields(scene);
+  renderer.upload(fields);
+  log.end(textureBytes(fields));
+
+  log.begin("frame", "drawing");
+  const double aspect = static_cast<double>(job.size.x) / job.size.y;
+  const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
+  const Frame frame = renderer.render(camera, renderSettings(job));
+  log.end(frameBytes(frame));
+
+  log.begin("write", "writing " + job.output);
+  const Provenance provenance = renderProvenance(job, scene.surface, camera, *context, checksums.get());
+  Image image = imageOf(frame, job);
+  image.metadata = provenance.metadata;
+  writeImage(job.output, image, {.bitDepth = job.bitDepth.value_or(kDefaultBitDepth)});
+  log.end(fileBytes(job.output));
+  if (!job.run.report.empty()) writeReport(job.run.report, log, scene.surface, provenance);
+  log.finish();
+}
+
+}  // namespace isolume

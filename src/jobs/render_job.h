@@ -1,0 +1,46 @@
+// `isolume render`: from a volume file to a picture.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+
+#include "raymarch/renderer.h"
+#include "src/jobs/camera_choice.h"
+#include "src/jobs/color.h"
+#include "src/jobs/run_options.h"
+#include "src/jobs/surface.h"
+
+namespace isolume {
+
+/// Layers of an EXR beside its colour. `all`: every layer that the shading has.
+struct Layers {
+  bool ambient = false, normal = false, position = false, depth = false, all = false;
+  bool any() const { return ambient || normal || position || depth || all; }
+};
+
+struct RenderJob {
+  SurfaceRequest surface;
+  std::string output;
+  CameraRequest camera;
+  glm::ivec2 size{1024, 1024};
+  /// One: each costs a pass over the picture, and with four a 256^3 volume at the default size took more than the two
+  /// seconds that a whole job may take on two cores.
+  int samples = 1;
+  Shading shading = Shading::occlusion;
+  NormalSource normals = NormalSource::data;
+  double occlusionOffset = 2;  ///< voxels above the surface where the octants are read; 0 is [Singh10]
+  double gamma = 1;
+  Color albedo{"white", glm::vec3(1)};
+  Color background{"white", glm::vec3(1)};
+  bool transparent = false;
+  Layers layers;
+  std::optional<int> bitDepth;  ///< PNG; 8 if not set
+  std::string backend = "auto";
+  RunOptions run;
+};
+
+/// Nothing is written unless all went well. Throws the errors of src/errors.h and GpuError.
+void runRenderJob(const RenderJob& job);
+
+}  // namespace isolume

@@ -1,0 +1,3 @@
+#include "src/cli/run.h"
+
+int main(int argc, char** argv) { return isolume::runProgram(argc, argv); }

@@ -1,0 +1,78 @@
+// Saved fields: what they hold, and that drawing from them is drawing from the volume.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/picture.h"
+#include "cli/program.h"
+
+namespace isolume::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Fields : public ProgramTest {
+ protected:
+  Fields() {
+    runWell({"sample", "corner", "--size", "24", "--quiet", "-o", "corner.vdb"});
+    runWell(
+        {"fields", "corner.vdb", "--isovalue", "0.01", "--inside", "below", "--report", "fields.json", "-o", "f.vdb"});
+  }
+};
+
+TEST_F(Fields, DrawTheSamePictureAsTheVolume) {
+  // Every layer of a picture drawn from a fields file has the bits of the one drawn from the volume, without a sweep.
+  const std::vector<std::string> look{"--size", "37x29", "--layers", "all", "--azimuth", "50"};
+  std::vector<std::string> direct{"render",   "corner.vdb", "--isovalue", "0.01",
+                                  "--inside", "below",      "-o",         "direct.exr"};
+  std::vector<std::string> saved{"render", "f.vdb", "--report", "saved.json", "-o", "saved.exr"};
+  for (std::vector<std::string>* command : {&direct, &saved}) {
+    command->insert(command->end(), look.begin(), look.end());
+    runWell(*command);
+  }
+  const Image image = readImage(path("saved.exr"));
+  EXPECT_TRUE(sameBits(readImage(path("direct.exr")), image));
+  EXPECT_THAT(metadata(image, "isolume:fields_source"), HasSubstr("isolume fields corner.vdb --isovalue 0.01"));
+  EXPECT_EQ(metadata(image, "isolume:isovalue"), "0.01");
+  const auto report = nlohmann::json::parse(readBytes(path("saved.json")));
+  EXPECT_EQ(report["stages"][1]["name"], "upload") << "fields were swept again";
+}
+
+TEST_F(Fields, AlsoDrawWithoutOcclusion) {
+  // A fields file serves a head light too, with the bits of the volume itself.
+  runWell({"render", "corner.vdb", "--isovalue", "0.01", "--inside", "below", "--occlusion", "none", "--size", "20x20",
+           "-o", "direct.exr"});
+  runWell({"render", "f.vdb", "--occlusion", "none", "--size", "20x20", "-o", "saved.exr"});
+  EXPECT_TRUE(sameBits(readImage(path("direct.exr")), readImage(path("saved.exr"))));
+}
+
+TEST_F(Fields, HaveTheirStagesInTheReport) {
+  // Making fields reads, sweeps and writes, and draws nothing.
+  const auto report = nlohmann::json::parse(readBytes(path("fields.json")));
+  std::vector<std::string> names;
+  for (const auto& stage : report["stages"]) names.push_back(stage["name"]);
+  EXPECT_THAT(names, ::testing::ElementsAre("read", "distance", "visibility", "write"));
+  EXPECT_GE(report["voxels"].get<std::size_t>(), std::size_t{24 * 24 * 24});
+}
+
+TEST_F(Fields, LeaveNoChoiceOfSurface) {
+  // Options that choose another surface, and sweeping fields again, are usage errors that name the file.
+  for (const auto& [option, value] : {std::pair{"--isovalue", "0.2"}, {"--inside", "above"}, {"--grid", "distance"}}) {
+    const Outcome outcome = run({"render", "f.vdb", option, value, "-o", "out.png"});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_THAT(outcome.err, HasSubstr(option));
+    EXPECT_THAT(outcome.err, HasSubstr("f.vdb"));
+  }
+  EXPECT_EQ(run({"fields", "f.vdb", "-o", "again.vdb"}).exitCode, 2);
+}
+
+TEST_F(Fields, AreNamedByInfo) {
+  // info tells a fields file, its ten grids, its isovalue and how it was made.
+  const std::string text = runWell({"info", "f.vdb"}).out;
+  for (const char* part : {"VDB fields", "level", "distance", "visibility_nnn", "visibility_ppp",
+                           "isovalue 0.01, inside below", "isolume fields corner.vdb"})
+    EXPECT_THAT(text, HasSubstr(part));
+}
+
+}  // namespace
+}  // namespace isolume::test
