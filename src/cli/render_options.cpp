@@ -92,14 +92,14 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
   group.value(
       "--albedo", "COLOR",
       [&job](const std::string& option, const std::string& text) { job.albedo = parseColor(option, text); },
-      "surface colour: name, #rrggbb or r,g,b in 0..1 (default: white)");
+      "surface colour: name, #rrggbb or r,g,b in 0..1 (default: " + job.albedo.text + ")");
   group.value(
       "--background", "COLOR",
       [&job](const std::string& option, const std::string& text) {
         job.transparent = text == "transparent";
         job.background = job.transparent ? Color{"transparent", glm::vec3(0)} : parseColor(option, text);
       },
-      "the same, or transparent (default: white)");
+      "the same, or transparent (default: " + job.background.text + ")");
 }
 
 Layers parseLayers(const std::string& option, const std::string& text) {

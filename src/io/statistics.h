@@ -11,8 +11,8 @@ namespace isolume {
 
 struct VolumeStatistics {
   std::size_t count = 0, nanCount = 0, infCount = 0;
-  double min = 0, max = 0, mean = 0;            ///< of the finite samples, true values (offset added)
-  std::array<std::size_t, 256> histogram{};     ///< equal bins over [min, max], finite samples
+  double min = 0, max = 0, mean = 0;         ///< of the finite samples, true values (offset added)
+  std::array<std::size_t, 256> histogram{};  ///< equal bins over [min, max], finite samples
 };
 VolumeStatistics computeStatistics(const Volume& volume);
 

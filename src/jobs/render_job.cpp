@@ -30,8 +30,9 @@ RenderSettings renderSettings(const RenderJob& job) {
   return settings;
 }
 
-SceneFields sceneFields(const SweptScene& scene) {
+SceneFields sceneFields(const SweptScene& scene, NormalSource normals) {
   SceneFields fields;
+  fields.distanceNormals = normals == NormalSource::distance;
   fields.worldFromGrid = scene.surface.worldFromGrid;
   fields.level = scene.surface.level.view();
   fields.distance = scene.swept.distance.view();
@@ -42,8 +43,9 @@ SceneFields sceneFields(const SweptScene& scene) {
 
 /// What the scene takes on the GPU, as of raymarch/renderer.h.
 std::size_t textureBytes(const SceneFields& fields) {
-  constexpr std::size_t kLevelBytes = 4, kDistanceBytes = 2, kOctantsBytes = 8;
-  return fields.level.count() * (kLevelBytes + kDistanceBytes + (fields.octants[0].data ? kOctantsBytes : 0));
+  constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8;
+  return fields.level.count() * (kLevelBytes + kClearanceBytes + (fields.distanceNormals ? kDistanceBytes : 0) +
+                                 (fields.octants[0].data ? kOctantsBytes : 0));
 }
 
 }  // namespace
@@ -66,7 +68,7 @@ void runRenderJob(const RenderJob& job) {
   log.begin("upload", "preparing OpenGL");
   const std::unique_ptr<Context> context = makeContext(job.backend);
   Renderer renderer(*context);
-  const SceneFields fields = sceneFields(scene);
+  const SceneFields fields = sceneFields(scene, job.normals);
   renderer.upload(fields);
   log.end(textureBytes(fields));
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "raymarch/renderer.h"
+#include "src/io/srgb.h"
 #include "src/jobs/camera_choice.h"
 #include "src/jobs/color.h"
 #include "src/jobs/run_options.h"
@@ -31,7 +32,8 @@ struct RenderJob {
   NormalSource normals = NormalSource::data;
   double occlusionOffset = 2;  ///< voxels above the surface where the octants are read; 0 is [Singh10]
   double gamma = 1;
-  Color albedo{"white", glm::vec3(1)};
+  /// Light grey, so that an open surface stands out from the white page of a figure.
+  Color albedo{"#cccccc", glm::vec3(linearFromSrgb(0.8F))};
   Color background{"white", glm::vec3(1)};
   bool transparent = false;
   Layers layers;

@@ -53,6 +53,8 @@ std::vector<BadCase> badUsage() {
       {"SamplesZero", render({"--samples", "0"}), 2, {"--samples", "'0'"}},
       {"IsovalueNan", render({"--isovalue", "nan"}), 2, {"--isovalue", "finite", "'nan'"}},
       {"IsovalueText", render({"--isovalue", "bone"}), 2, {"--isovalue", "'bone'"}},
+      {"OcclusionOffsetNegative", render({"--occlusion-offset", "-1"}), 2, {"--occlusion-offset", "from 0 to", "'-1'"}},
+      {"OcclusionOffsetNan", render({"--occlusion-offset", "nan"}), 2, {"--occlusion-offset", "'nan'"}},
       {"GammaZero", render({"--gamma", "0"}), 2, {"--gamma", "above 0", "'0'"}},
       {"InsideUnknown", render({"--inside", "abov"}), 2, {"--inside", "above, below, auto", "did you mean above?"}},
       {"DimsZero", render({"--dims", "0,9,9"}), 2, {"--dims", "'0,9,9'"}},

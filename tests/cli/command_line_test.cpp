@@ -18,16 +18,66 @@ Command parse(std::vector<const char*> arguments) {
 
 TEST(CommandLine, EveryRenderOptionReachesTheJob) {
   // No option is read and dropped: each value given differs from the default and is found in the job.
-  const Command command =
-      parse({"render",       "in.raw",    "-o",         "out.exr",     "--isovalue", "-2.5",      "--inside",
-             "below",        "--grid",    "density[1]", "--dims",      "3x4x5",      "--type",    "uint16",
-             "--endian",     "big",       "--offset",   "12",          "--spacing",  "1,2,3",     "--origin",
-             "-1,0,+1",      "--azimuth", "-10",        "--elevation", "5",          "--up",      "0,1,0",
-             "--roll",       "7",         "--zoom",     "2",           "--fov",      "45",        "--occlusion",
-             "singh10",      "--normals", "distance",   "--gamma",     "2",          "--albedo",  "#ff0000",
-             "--background", "black",     "--size",     "320x200",     "--samples",  "9",         "--layers",
-             "normal,depth", "--threads", "2",          "--report",    "r.json",     "--backend", "osmesa",
-             "--verbose",    "--quiet"});
+  const Command command = parse({"render",
+                                 "in.raw",
+                                 "-o",
+                                 "out.exr",
+                                 "--isovalue",
+                                 "-2.5",
+                                 "--inside",
+                                 "below",
+                                 "--grid",
+                                 "density[1]",
+                                 "--dims",
+                                 "3x4x5",
+                                 "--type",
+                                 "uint16",
+                                 "--endian",
+                                 "big",
+                                 "--offset",
+                                 "12",
+                                 "--spacing",
+                                 "1,2,3",
+                                 "--origin",
+                                 "-1,0,+1",
+                                 "--azimuth",
+                                 "-10",
+                                 "--elevation",
+                                 "5",
+                                 "--up",
+                                 "0,1,0",
+                                 "--roll",
+                                 "7",
+                                 "--zoom",
+                                 "2",
+                                 "--fov",
+                                 "45",
+                                 "--occlusion",
+                                 "singh10",
+                                 "--normals",
+                                 "distance",
+                                 "--gamma",
+                                 "2",
+                                 "--albedo",
+                                 "#ff0000",
+                                 "--background",
+                                 "black",
+                                 "--size",
+                                 "320x200",
+                                 "--samples",
+                                 "9",
+                                 "--layers",
+                                 "normal,depth",
+                                 "--threads",
+                                 "2",
+                                 "--report",
+                                 "r.json",
+                                 "--backend",
+                                 "osmesa",
+                                 "--verbose",
+                                 "--quiet",
+                                 "--occlusion-offset",
+                                 "0"});
   const RenderJob& job = std::get<RenderJob>(command);
   EXPECT_EQ(job.surface.input, "in.raw");
   EXPECT_EQ(job.output, "out.exr");
@@ -48,6 +98,7 @@ TEST(CommandLine, EveryRenderOptionReachesTheJob) {
   EXPECT_EQ(job.camera.fov, 45);
   EXPECT_EQ(job.shading, Shading::occlusion);
   EXPECT_EQ(job.normals, NormalSource::distance);
+  EXPECT_EQ(job.occlusionOffset, 0);
   EXPECT_EQ(job.gamma, 2);
   EXPECT_EQ(job.albedo.linear, glm::vec3(1, 0, 0));
   EXPECT_EQ(job.background.linear, glm::vec3(0));
@@ -80,12 +131,12 @@ TEST(CommandLine, HelpTellsEveryOptionItsDefaultAndTheExitCodes) {
   // The page of a command lists its options in groups, the first page the commands and exit codes.
   const std::string render = std::get<PrintedText>(parse({"render", "--help"})).text;
   for (const char* part :
-       {"--isovalue", "--inside",  "--grid",        "--dims",       "--type",    "--endian",    "--offset",
-        "--spacing",  "--origin",  "--azimuth",     "--elevation",  "--roll",    "--zoom",      "--fov",
-        "--eye",      "--target",  "--up",          "--projection", "--height",  "--occlusion", "--normals",
-        "--gamma",    "--albedo",  "--background",  "--size",       "--samples", "--bit-depth", "--layers",
-        "--threads",  "--report",  "--verbose",     "--quiet",      "--backend", "Camera",      "Shading",
-        "Output",     "1024x1024", "(default: 30)", "osmesa",       "egl"})
+       {"--isovalue", "--inside",  "--grid",    "--dims",        "--type",   "--endian",    "--offset",
+        "--spacing",  "--origin",  "--azimuth", "--elevation",   "--roll",   "--zoom",      "--fov",
+        "--eye",      "--target",  "--up",      "--projection",  "--height", "--occlusion", "--occlusion-offset",
+        "--normals",  "--gamma",   "--albedo",  "--background",  "--size",   "--samples",   "--bit-depth",
+        "--layers",   "--threads", "--report",  "--verbose",     "--quiet",  "--backend",   "Camera",
+        "Shading",    "Output",    "1024x1024", "(default: 30)", "osmesa",   "egl"})
     EXPECT_THAT(render, HasSubstr(part));
   const std::string first = std::get<PrintedText>(parse({"--help"})).text;
   for (const char* part : {"render", "info", "fields", "sample", "--version", "Exit codes"})

@@ -44,10 +44,16 @@ TEST_F(Provenance, PngAndExrSayHowTheyWereMade) {
 
 TEST_F(Provenance, MetadataDrawsThePictureAgain) {
   // Isovalue, side, camera and settings taken from a picture, as options, give it again to the last bit.
-  runWell({"render",    kBallFile,  "--azimuth", "33.3",  "--elevation", "-12.7",       "--roll",       "5",
-           "--zoom",    "1.3",      "--gamma",   "2.2",   "--albedo",    "0.9,0.7,0.1", "--background", "#123456",
-           "--normals", "distance", "--size",    "31x27", "--samples",   "3",           "--layers",     "normal,depth",
-           "-o",        "first.exr"});
+  runWell({"render",   kBallFile,     "--azimuth",
+           "33.3",     "--elevation", "-12.7",
+           "--roll",   "5",           "--zoom",
+           "1.3",      "--gamma",     "2.2",
+           "--albedo", "0.9,0.7,0.1", "--background",
+           "#123456",  "--normals",   "distance",
+           "--size",   "31x27",       "--samples",
+           "3",        "--layers",    "normal,depth",
+           "-o",       "first.exr",   "--occlusion-offset",
+           "0.7"});
   const Image first = readImage(path("first.exr"));
   std::vector<std::string> again{"render", metadata(first, "isolume:input"), "-o", "again.exr"};
   for (const char* key : {"isolume:camera", "isolume:settings"})

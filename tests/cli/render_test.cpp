@@ -84,17 +84,24 @@ TEST_F(BallPicture, AlbedoScalesTheSurfaceAlone) {
 
 TEST_F(BallPicture, ColourIsOpennessToTheGamma) {
   // With one sample per pixel, colour = openness^(1/gamma) of the same point: 2e-6 allows for the GPU's pow.
-  const Image image = draw({"--layers", "ambient", "--gamma", "2", "--samples", "1"});
+  const Image image = draw({"--layers", "ambient", "--gamma", "2", "--albedo", "white", "--samples", "1"});
   const float openness = channel(image, "ambient.Y")[kMiddle];
   EXPECT_GT(openness, 0);
   EXPECT_LT(openness, 1);
   EXPECT_NEAR(channel(image, "R")[kMiddle], std::sqrt(openness), 2e-6);
 }
 
+TEST_F(BallPicture, DefaultsReadTwoVoxelsAboveAndShadeInLightGrey) {
+  // Without options the picture is the one of --occlusion-offset 2 --albedo #cccccc, and not that of the paper's 0.
+  const Image plain = draw({});
+  EXPECT_TRUE(sameBits(plain, draw({"--occlusion-offset", "2", "--albedo", "#cccccc"})));
+  EXPECT_FALSE(sameBits(plain, draw({"--occlusion-offset", "0", "--albedo", "#cccccc"})));
+}
+
 TEST_F(BallPicture, WithoutOcclusionAHeadLightShades) {
   // --occlusion none: brightness is the cosine between normal and view, 1 in the middle, less towards the rim, and no
   // layer of openness is written.
-  const Image image = draw({"--occlusion", "none", "--layers", "all", "--samples", "1"});
+  const Image image = draw({"--occlusion", "none", "--layers", "all", "--albedo", "white", "--samples", "1"});
   EXPECT_THAT(channelNames(image), ::testing::Not(::testing::Contains("ambient.Y")));
   const std::size_t off = kMiddle + 8;  // 8 pixels of 30/33 voxels beside the middle: 47 degrees on the ball
   EXPECT_NEAR(channel(image, "R")[kMiddle], 1, kHitTolerance);

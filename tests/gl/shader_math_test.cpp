@@ -175,6 +175,25 @@ TEST(ShaderMath, AmbientIsNormalised) {
   EXPECT_EQ(glsl::ambientOpenness(open, open, share * 1.01f, share), 1);
 }
 
+TEST(ShaderMath, BeyondABorderOnlyTheOctantsThatEnterThereOpen) {
+  // A point f voxels beyond a face: octants whose light comes through that face are open by f, all others keep their
+  // visibility; at the border and inside nothing changes. Channel c of table k is octant 4 k + c.
+  const glm::vec4 dark(0.25F);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float f : {-1.5F, -1.0F, -0.5F, 0.0F, 0.25F, 1.0F, 2.0F}) {
+      glm::vec3 beyond(0);
+      beyond[axis] = f;
+      for (int octant = 0; octant < kOctantCount; ++octant) {
+        const float zSign = octant < 4 ? -1.0F : 1.0F;
+        const float got = glsl::openBeyondBorder(dark, beyond, zSign)[octant % 4];
+        const int light = kOctants[static_cast<std::size_t>(octant)].towardsLight()[axis];
+        const float open = std::clamp(f * static_cast<float>(light), 0.0F, 1.0F);
+        EXPECT_FLOAT_EQ(got, 0.25F + 0.75F * open) << "octant " << octant << " axis " << axis << " beyond by " << f;
+      }
+    }
+  }
+}
+
 TEST(ShaderMath, CameraRaysPassThroughEyeAndPixel) {
   // Perspective: the eye lies on the ray at `start`. Orthographic: all rays are parallel. One unit of the parameter is
   // one smallest spacing of length.

@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "gl/gl_scene.h"
 #include "raymarch/gpu_error.h"
 #include "sweep/geometry_terms.h"
+#include "sweep/occlusion_sweep.h"
 
 namespace isolume::test {
 namespace {
@@ -69,6 +71,58 @@ TEST(Shading, VisibilityIsInterpolatedLinearly) {
       ASSERT_NEAR(frame.ambient[i], frame.position[i].x * 5 / 255, 1e-5);
     }
   }
+}
+
+// A ball with swept octants. Its ambient should vary slowly: the largest second difference between neighbouring pixels
+// is a measure of stripes.
+double roughness(float readOffsetVoxels) {
+  GlScene scene = makeSphere();
+  SweptFields swept = sweepOcclusion(scene.level.view());
+  scene.octants = std::move(swept.visibility.packed);
+  RenderSettings settings = layerSettings(200, 200);
+  settings.shading = Shading::occlusion;
+  settings.readOffsetVoxels = readOffsetVoxels;
+  const Frame frame = renderOnce(scene, frameScene(scene), settings);
+  double largest = 0;
+  for (int y = 0; y < frame.size.y; ++y)
+    for (int x = 1; x + 1 < frame.size.x; ++x) {
+      const auto at = [&](int column) { return static_cast<std::size_t>(y * frame.size.x + column); };
+      const bool hits = std::isfinite(frame.depth[at(x - 1)]) && std::isfinite(frame.depth[at(x)]) &&
+                        std::isfinite(frame.depth[at(x + 1)]);
+      if (!hits) continue;
+      const double bend =
+          frame.ambient[at(x - 1)] - 2.0 * frame.ambient[at(x)] + static_cast<double>(frame.ambient[at(x + 1)]);
+      largest = std::max(largest, std::abs(bend));
+    }
+  return largest;
+}
+
+TEST(Shading, ReadAboveTheSurfaceThereAreNoStripes) {
+  // Read at the hit, the ball shows the stripes of Eq. 7; read two voxels above they are gone (below 1/100, which is
+  // less than three steps of an 8-bit picture).
+  const double atHit = roughness(0);
+  const double above = roughness(2);
+  EXPECT_GT(atHit, 0.03);
+  EXPECT_LT(above, 0.01);
+}
+
+TEST(Shading, ACapIsAsOpenAsTheSurfaceBesideIt) {
+  // A half space cut by the box: read above, its caps are lit by the light that enters at the border, not darkened by
+  // it.
+  GlScene scene = makeScene(glm::ivec3(40), glm::dvec3(1), [](glm::dvec3 p) { return p.z - 20.3; });
+  SweptFields swept = sweepOcclusion(scene.level.view());
+  scene.octants = std::move(swept.visibility.packed);
+  RenderSettings settings = layerSettings();
+  settings.shading = Shading::occlusion;
+  settings.readOffsetVoxels = 2;
+  const Frame frame = renderOnce(scene, frameScene(scene), settings);
+  int caps = 0;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    if (!std::isfinite(frame.depth[i])) continue;
+    caps += std::abs(frame.normal[i].z) < 0.5F ? 1 : 0;
+    ASSERT_GT(frame.ambient[i], 0.99) << "normal z " << frame.normal[i].z;
+  }
+  EXPECT_GT(caps, 500);
 }
 
 TEST(Shading, GammaAlbedoAndHeadLight) {
