@@ -36,6 +36,9 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
     throw GpuError(fmt::format("image: expected octants read at least 0 voxels above the surface, found {}",
                                settings.readOffsetVoxels));
   }
+  if (settings.normals == NormalSource::distance && scene.distance.name() == 0) {
+    throw GpuError("render: expected a distance texture for normals from the distance, found a scene without it");
+  }
   if (settings.shading == Shading::occlusion && !scene.hasOctants()) {
     throw GpuError("render: expected octants for shading by occlusion, found a scene without them");
   }

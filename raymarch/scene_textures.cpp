@@ -34,7 +34,9 @@ SceneTextures uploadScene(const SceneFields& fields) {
   level.spacing = distance.spacing = scene.frame.spacing;
   scene.level = makeTexture3D("level", size, kR32F, GL_LINEAR, level.data);
   scene.clearance = makeTexture3D("clearance", size - 1, kR8UI, GL_NEAREST, buildClearance(level, distance).data());
-  scene.distance = makeTexture3D("distance", size, kR16F, GL_LINEAR, packDistance(distance).data());
+  if (fields.distanceNormals) {
+    scene.distance = makeTexture3D("distance", size, kR16F, GL_LINEAR, packDistance(distance).data());
+  }
   if (fields.octants[0].data) {
     for (std::size_t i = 0; i < scene.octants.size(); ++i) {
       checkSize("octants", fields.octants[i].size, size);

@@ -8,8 +8,9 @@
 #include <cassert>
 #include <cstddef>
 #include <glm/vec3.hpp>
-#include <memory>
 #include <type_traits>
+
+#include "large_array.h"
 
 namespace isolume {
 
@@ -51,10 +52,7 @@ class Grid {
  public:
   Grid() = default;
   explicit Grid(glm::ivec3 size, glm::dvec3 spacing = glm::dvec3(1), glm::dvec3 origin = glm::dvec3(0))
-      : values_(std::make_unique_for_overwrite<T[]>(voxelCount(size))),
-        size_(size),
-        spacing_(spacing),
-        origin_(origin) {}
+      : values_(makeLargeArray<T>(voxelCount(size))), size_(size), spacing_(spacing), origin_(origin) {}
 
   bool empty() const { return !values_; }
   glm::ivec3 size() const { return size_; }
@@ -65,7 +63,7 @@ class Grid {
   const T* data() const { return values_.get(); }
 
  private:
-  std::unique_ptr<T[]> values_;
+  LargeArray<T> values_;
   glm::ivec3 size_{0};
   glm::dvec3 spacing_{1};
   glm::dvec3 origin_{0};

@@ -1,10 +1,9 @@
 #include "wavefront.h"
 
 #include <algorithm>
-#include <memory>
-#include <new>
 #include <vector>
 
+#include "large_array.h"
 #include "parallel.h"
 #include "surface_start.h"
 #include "tile_io.h"
@@ -12,31 +11,22 @@
 namespace isolume {
 namespace {
 
-constexpr std::size_t kAlignment = 64;  // bytes: a cache line, and the widest vector
-
 template <class T>
-struct AlignedDelete {
-  void operator()(T* pointer) const { ::operator delete[](pointer, std::align_val_t(kAlignment)); }
-};
-template <class T>
-using AlignedArray = std::unique_ptr<T[], AlignedDelete<T>>;
-
-template <class T>
-AlignedArray<T> makeAligned(std::size_t count, T value) {
-  AlignedArray<T> array(static_cast<T*>(::operator new[](count * sizeof(T), std::align_val_t(kAlignment))));
+LargeArray<T> makeFilled(std::size_t count, T value) {
+  LargeArray<T> array = makeLargeArray<T>(count);
   std::fill_n(array.get(), count, value);
   return array;
 }
 
 // Distance and light of one kind of buffer.
 struct Pair {
-  AlignedArray<float> distance, light;
+  LargeArray<float> distance, light;
   std::size_t count = 0;
   explicit Pair(std::size_t count_ = 0) : count(count_) { reset(); }
   void reset() {
     if (count == 0) return;
-    if (!distance) distance = makeAligned(count, kUnsetDistance);
-    if (!light) light = makeAligned(count, 1.0F);
+    if (!distance) distance = makeFilled(count, kUnsetDistance);
+    if (!light) light = makeFilled(count, 1.0F);
     std::fill_n(distance.get(), count, kUnsetDistance);
     std::fill_n(light.get(), count, 1.0F);
   }
@@ -49,8 +39,8 @@ int blocksOf(int count, int size) { return (count + size - 1) / size; }
 // What the tiles of one block of rows hand on: upwards in z by `carried`, to the next block in y by `lastRow`, which is
 // doubled because the block's next tile runs beside the reader of the last one.
 struct WavefrontSweeper::Block {
-  AlignedArray<float> distance;
-  AlignedArray<float> visibility;
+  LargeArray<float> distance;
+  LargeArray<float> visibility;
   Pair carried;
   Pair lastRow[2];
 };
@@ -70,7 +60,7 @@ WavefrontSweeper::WavefrontSweeper(glm::ivec3 size, const SweepMetric& metric)
   storage_->outsideRow = Pair(rows);
   storage_->blocks.resize(static_cast<std::size_t>(blocksOf(size.y, lanes)));
   for (Block& block : storage_->blocks) {
-    block.distance = makeAligned(storage_->tileCount, kUnsetDistance);
+    block.distance = makeFilled(storage_->tileCount, kUnsetDistance);
     block.carried = Pair(steps);
     for (Pair& row : block.lastRow) row = Pair(rows);
   }
@@ -86,7 +76,7 @@ void WavefrontSweeper::sweep(const Octant& octant, float* distance, VisibilityTa
   const bool light = visibility.as8 != nullptr || visibility.asFloat != nullptr;
   for (Block& block : storage_->blocks) {
     block.carried.reset();
-    if (light && !block.visibility) block.visibility = makeAligned(storage_->tileCount, 0.0F);
+    if (light && !block.visibility) block.visibility = makeFilled(storage_->tileCount, 0.0F);
   }
 
   const auto sweepOne = [&](int blockIndex, int layer) {
