@@ -33,7 +33,7 @@ SceneTextures uploadScene(const SceneFields& fields) {
   GridView<const float> level = fields.level, distance = fields.distance;
   level.spacing = distance.spacing = scene.frame.spacing;
   scene.level = makeTexture3D("level", size, kR32F, GL_LINEAR, level.data);
-  scene.clearance = makeTexture3D("clearance", size - 1, kR8UI, GL_NEAREST, buildClearance(level, distance).data());
+  scene.clearance = makeTexture3D("clearance", size - 1, kR8UI, GL_NEAREST, buildClearance(level).data());
   if (fields.distanceNormals) {
     scene.distance = makeTexture3D("distance", size, kR16F, GL_LINEAR, packDistance(distance).data());
   }

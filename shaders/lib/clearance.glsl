@@ -1,25 +1,32 @@
-// How far a ray may go from one cell: to the far face of the cell, or through the ball known to be free of surface.
+// How far a ray may go from one cell: to the far face of the cube of cells that is known to be free of surface.
 
-// Parameter at which the ray leaves the cell, and the axis of that face. The same expression gives the entry into the
-// next cell, so the intervals of consecutive cells abut exactly.
-struct CellExit {
+// Parameter at which the ray leaves the cube of cells less than `radius` >= 1 away from `cell` along each axis, and the
+// cell that it enters there. Radius 1 is the cell itself. The same expression gives the face from either side, so the
+// intervals of consecutive cells abut exactly, and the next cell is found by integers along the axis of the face.
+struct CubeExit {
   float t;
-  int axis;
+  ivec3 next;
 };
 
-CellExit cellExit(vec3 origin, vec3 inverseDirection, ivec3 cell) {
-  vec3 face = vec3(cell) + vec3(inverseDirection.x > 0.0f ? 1.0f : 0.0f, inverseDirection.y > 0.0f ? 1.0f : 0.0f,
-                                inverseDirection.z > 0.0f ? 1.0f : 0.0f);
+CubeExit cubeExit(vec3 origin, vec3 direction, vec3 inverseDirection, ivec3 cell, int radius) {
+  bool forwardX = direction.x > 0.0f;
+  bool forwardY = direction.y > 0.0f;
+  bool forwardZ = direction.z > 0.0f;
+  ivec3 low = cell - (radius - 1);
+  ivec3 high = cell + (radius - 1);
+  vec3 face = vec3(float(forwardX ? high.x + 1 : low.x), float(forwardY ? high.y + 1 : low.y),
+                   float(forwardZ ? high.z + 1 : low.z));
   vec3 t = (face - origin) * inverseDirection;
   float leave = min(t.x, min(t.y, t.z));
-  return CellExit(leave, t.x == leave ? 0 : (t.y == leave ? 1 : 2));
-}
-
-// How much further the ray may go from `point`, which lies in the cell, before it leaves the ball of that radius about
-// the centre of the cell; <= 0 if the point is outside the ball. `direction` as in Ray, `spacing` in smallest spacings.
-float ballExit(vec3 point, vec3 direction, ivec3 cell, vec3 spacing, float radius) {
-  vec3 offset = (point - (vec3(cell) + 0.5f)) * spacing;
-  float along = dot(offset, direction * spacing);
-  float inside = along * along - dot(offset, offset) + radius * radius;
-  return inside > 0.0f ? sqrt(inside) - along : 0.0f;
+  vec3 at = origin + leave * direction;
+  // Along the other axes the ray is still within the cube, whatever rounding says.
+  ivec3 next = clamp(ivec3(floor(at)), low, high);
+  if (t.x == leave) {
+    next.x = forwardX ? high.x + 1 : low.x - 1;
+  } else if (t.y == leave) {
+    next.y = forwardY ? high.y + 1 : low.y - 1;
+  } else {
+    next.z = forwardZ ? high.z + 1 : low.z - 1;
+  }
+  return CubeExit(leave, next);
 }

@@ -2,7 +2,7 @@
 
 bool mayHoldSurface(uint clearance) { return (clearance & kClearanceRadiusMask) == 0u; }
 bool isInside(uint clearance) { return (clearance & kClearanceInside) != 0u; }
-float clearRadius(uint clearance) { return (float(clearance & kClearanceRadiusMask) - 1.0f) * kClearanceUnit; }
+int clearRadius(uint clearance) { return max(int(clearance & kClearanceRadiusMask), 1); }
 
 uint cellClearance(ivec3 cell) { return texelFetch(clearanceTexture, cell, 0).r; }
 

@@ -1,14 +1,12 @@
 // The first crossing along a ray.
 //
-// Far from the surface the ray leaps through balls that the clearance texture certifies; next to it, it walks cell by
-// cell (integers, so that no cell is skipped), and in each cell that the surface may pass it solves the exact cubic. No
-// iteration limit is needed but that of the walk: every turn leaves at least one cell behind, and a ray crosses fewer
-// than size.x + size.y + size.z cells.
+// The ray leaps through cubes of cells that the clearance texture certifies to be free of surface, one cell at the least,
+// and in each cell that the surface may pass it solves the exact cubic. No iteration limit is needed: every turn leaves
+// at least one cell behind, and a ray crosses fewer than size.x + size.y + size.z cells.
 //
 // A ray that begins at the eye inside the solid looks for the way out: it sees the surface, or the cap, from within.
 
-// A leap must go at least that far beyond the cell, so that rounding cannot bring it back: progress.
-const float kLeastLeap = 0.01f;
+bool isWithin(ivec3 cell, ivec3 lastCell) { return cell == clamp(cell, ivec3(0), lastCell); }
 
 Hit trace(Ray ray) {
   Hit miss = Hit(false, vec3(0.0f), -1);
@@ -25,7 +23,6 @@ Hit trace(Ray ray) {
   if (fromFace) origin[span.enterAxis] = direction[span.enterAxis] > 0.0f ? 0.0f : high[span.enterAxis];
   float end = span.leave - begin;
   ivec3 lastCell = frame.gridSize.xyz - 2;
-  ivec3 forward = ivec3(sign(direction));
   ivec3 cell = clamp(ivec3(origin), ivec3(0), lastCell);
 
   uint clearance = cellClearance(cell);
@@ -39,19 +36,11 @@ Hit trace(Ray ray) {
   Bracket bracket = Bracket(false, 0.0f, 0.0f);
   bool inBox = true;
   while (inBox) {
-    // Leap or walk until a cell needs a look.
     while (inBox && !mayHoldSurface(clearance) && isInside(clearance) == startsInside) {
-      CellExit leave = cellExit(origin, inverse, cell);
-      float leap = t + ballExit(origin + t * direction, direction, cell, frame.scale.xyz, clearRadius(clearance));
-      if (leap > leave.t + kLeastLeap) {
-        t = leap;
-        cell = clamp(ivec3(origin + t * direction), ivec3(0), lastCell);
-        inBox = t < end;
-      } else {
-        t = max(t, leave.t);
-        cell[leave.axis] += forward[leave.axis];
-        inBox = cell[leave.axis] >= 0 && cell[leave.axis] <= lastCell[leave.axis];
-      }
+      CubeExit leave = cubeExit(origin, direction, inverse, cell, clearRadius(clearance));
+      t = max(t, leave.t);
+      cell = leave.next;
+      inBox = isWithin(cell, lastCell);
       if (inBox) clearance = cellClearance(cell);
     }
     if (!inBox) break;
@@ -60,13 +49,13 @@ Hit trace(Ray ray) {
       bracket = Bracket(true, 0.0f, 0.0f);
       break;
     }
-    CellExit leave = cellExit(origin, inverse, cell);
+    CubeExit leave = cubeExit(origin, direction, inverse, cell, 1);
     cubic = levelAlongRay(cell, origin, direction, t, side);
     bracket = firstRise(cubic, max(leave.t - t, 0.0f));
     if (bracket.found) break;
     t = max(t, leave.t);
-    cell[leave.axis] += forward[leave.axis];
-    inBox = cell[leave.axis] >= 0 && cell[leave.axis] <= lastCell[leave.axis];
+    cell = leave.next;
+    inBox = isWithin(cell, lastCell);
     if (inBox) clearance = cellClearance(cell);
   }
 

@@ -238,27 +238,32 @@ TEST(ShaderMath, BoxSpanIsTheSlabTest) {
   EXPECT_GT(met, 100);
 }
 
-TEST(ShaderMath, CellExitAndBallExitLieOnTheirSurfaces) {
-  // The exit of a cell lies on the face named; the exit of a ball lies on the sphere, and is 0 from outside it.
+TEST(ShaderMath, CubeExitLiesOnTheFaceAndEntersTheCellBehindIt) {
+  // The ray leaves the cube of cells less than `radius` away on one of its faces, not before any other, and the next
+  // cell is the one behind that face where the ray is.
   Random random;
-  const glm::dvec3 spacing(1, 2, 1.5);
-  for (int round = 0; round < 1000; ++round) {
-    const glm::ivec3 cell(5, 9, 2);
+  for (int round = 0; round < 3000; ++round) {
+    const glm::ivec3 cell(15, 19, 12);
+    const int radius = 1 + round % 7;
     const glm::vec3 p = glm::dvec3(cell) + random.vector(0, 1);
-    const glm::vec3 d = glm::normalize(random.vector(-1, 1)) / spacing;
-    const glsl::CellExit leave = glsl::cellExit(p, 1.0f / d, cell);
+    const glm::vec3 d = glm::normalize(random.vector(-1, 1));
+    const glsl::CubeExit leave = glsl::cubeExit(p, d, 1.0f / d, cell, radius);
+    const glm::dvec3 at = glm::dvec3(p) + static_cast<double>(leave.t) * glm::dvec3(d);
+    const glm::dvec3 low = glm::dvec3(cell - (radius - 1)), high = glm::dvec3(cell + radius);
     ASSERT_GE(leave.t, 0);
-    ASSERT_NEAR(p[leave.axis] + leave.t * d[leave.axis], cell[leave.axis] + (d[leave.axis] > 0 ? 1 : 0), 1e-5);
-    const float radius = static_cast<float>(random(0.2, 9));
-    const float step = glsl::ballExit(p, d, cell, spacing, radius);
-    const auto fromCentre = [&](double t) {
-      return glm::length((glm::dvec3(p) + t * glm::dvec3(d) - glm::dvec3(cell) - 0.5) * spacing);
-    };
-    if (fromCentre(0) < radius - 1e-4) {
-      ASSERT_NEAR(fromCentre(step), radius, 1e-4);
+    int outside = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_GE(at[axis], low[axis] - 1e-5);
+      ASSERT_LE(at[axis], high[axis] + 1e-5);
+      if (leave.next[axis] < low[axis] || leave.next[axis] >= high[axis]) {
+        ++outside;
+        ASSERT_NEAR(at[axis], d[axis] > 0 ? high[axis] : low[axis], 1e-5);
+        ASSERT_EQ(leave.next[axis], d[axis] > 0 ? cell[axis] + radius : cell[axis] - radius);
+      } else {
+        ASSERT_NEAR(at[axis], leave.next[axis] + 0.5, 0.5 + 1e-5);
+      }
     }
-    // From outside, either the ray misses the ball (0), or what is returned is still on the sphere: never beyond it.
-    ASSERT_LE(step > 0 ? fromCentre(step) : 0, radius + 1e-4);
+    ASSERT_EQ(outside, 1);
   }
 }
 
