@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "src/io/srgb.h"
+
 namespace isolume {
 namespace {
 
@@ -28,11 +30,6 @@ std::optional<double> readFinite(std::string_view text) {
 
 [[noreturn]] void refuse(std::string_view option, std::string_view expected, std::string_view found) {
   throw UsageError(fmt::format("{}: expected {}, found '{}'", option, expected, found));
-}
-
-/// sRGB to linear light, IEC 61966-2-1.
-float linearFromSrgb(double c) {
-  return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
 }
 
 struct NamedColor {
@@ -176,7 +173,8 @@ Color parseColor(std::string_view option, std::string_view text) {
     for (const NamedColor& named : kNamedColors) names += std::string(named.name) + ", ";
     refuse(option, fmt::format("a colour: {}#rrggbb, or r,g,b from 0 to 1", names), text);
   }
-  return {std::string(text), {linearFromSrgb(srgb->r), linearFromSrgb(srgb->g), linearFromSrgb(srgb->b)}};
+  const glm::vec3 encoded(*srgb);
+  return {std::string(text), {linearFromSrgb(encoded.r), linearFromSrgb(encoded.g), linearFromSrgb(encoded.b)}};
 }
 
 }  // namespace isolume

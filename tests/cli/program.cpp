@@ -48,7 +48,8 @@ Process::Process(const std::string& folder, const std::vector<std::string>& argu
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   int programEnd = -1;
-  if (surroundings.terminal && openpty(&terminal_, &programEnd, nullptr, nullptr, nullptr) != 0) std::abort();
+  if (surroundings.terminal && openpty(&terminal_, &programEnd, nullptr, nullptr, nullptr) != 0)
+    throw NoTerminal("openpty: no pseudo-terminal on this machine");
   const std::string out = streamPath(folder, "out"), err = streamPath(folder, "err");
   writeBytes(err, "");
   id_ = fork();

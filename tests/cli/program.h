@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,11 @@ struct Outcome {
   int exitCode = -1;  ///< -1 if it was ended by a signal
   int signal = 0;
   std::string out, err;
+};
+
+/// Thrown where a terminal was asked for and the machine has none to give.
+struct NoTerminal : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 struct Surroundings {
