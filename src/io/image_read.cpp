@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fmt/format.h>
 
 #include <array>
@@ -72,7 +73,9 @@ Image readImage(const std::string& path) {
   try {
     raw = imageCodec().decode(bytes, *format);
   } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("{}: cannot decode the image: {}", path, error.what()));
+    std::string reason = error.what();  // of several lines for some damage; an error is one
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    throw InputError(fmt::format("{}: cannot decode the image: {}", path, reason));
   }
   Image image{raw.size, {}, *format == ImageFormat::png ? readPngText(bytes) : raw.metadata};
   const std::size_t count = raw.channels.size();

@@ -90,15 +90,8 @@ Outcome Process::wait() {
   return outcome;
 }
 
-ProgramTest::ProgramTest() {
-  std::string name = (std::filesystem::temp_directory_path() / "isolume_cli_XXXXXX").string();
-  if (!mkdtemp(name.data())) std::abort();
-  folder_ = name;
-}
-
 ProgramTest::~ProgramTest() {
   std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
   for (const char* stream : {"out", "err"}) std::filesystem::remove(streamPath(folder_, stream), ignored);
 }
 

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/temp_folder.h"
+
 namespace isolume::test {
 
 struct Outcome {
@@ -52,7 +54,6 @@ class Process {
 /// A folder that is empty at the start of a case and gone after it; commands run in it.
 class ProgramTest : public ::testing::Test {
  protected:
-  ProgramTest();
   ~ProgramTest() override;
 
   Outcome run(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
@@ -62,7 +63,8 @@ class ProgramTest : public ::testing::Test {
   /// Names in the folder, sorted; also hidden ones.
   std::vector<std::string> files() const;
 
-  std::string folder_;
+  TempFolder temporary_;
+  std::string folder_ = temporary_.path();
 };
 
 std::string readBytes(const std::string& path);

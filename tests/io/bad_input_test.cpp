@@ -7,7 +7,7 @@
 #include "errors.h"
 #include "io/vdb.h"
 #include "io/volume.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 namespace isolume::test {
 namespace {

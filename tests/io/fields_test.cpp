@@ -11,7 +11,7 @@
 #include "io/vdb.h"
 #include "io/volume.h"
 #include "sweep/parallel.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 namespace isolume::test {
 namespace {

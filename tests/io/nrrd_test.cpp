@@ -7,7 +7,7 @@
 #include "errors.h"
 #include "io/itk_reader.h"
 #include "ramp_volume.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 namespace isolume::test {
 namespace {

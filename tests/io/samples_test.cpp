@@ -6,7 +6,7 @@
 
 #include "io/volume.h"
 #include "sample_bytes.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 namespace isolume::test {
 namespace {

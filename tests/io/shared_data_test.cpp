@@ -10,7 +10,7 @@
 #include "io/vdb.h"
 #include "io/volume.h"
 #include "support/shared_data.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 namespace isolume::test {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "errors.h"
 #include "io/volume.h"
-#include "temp_folder.h"
+#include "support/temp_folder.h"
 
 namespace isolume::test {
 namespace {

@@ -19,10 +19,15 @@ class TempFolder {
     if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
     path_ = name;
   }
-  ~TempFolder() { std::filesystem::remove_all(path_); }
+  ~TempFolder() {
+    std::error_code ignored;
+    std::filesystem::permissions(path_, std::filesystem::perms::owner_all, ignored);
+    std::filesystem::remove_all(path_, ignored);
+  }
   TempFolder(const TempFolder&) = delete;
   TempFolder& operator=(const TempFolder&) = delete;
 
+  std::string path() const { return path_.string(); }
   std::string path(const std::string& name) const { return (path_ / name).string(); }
   std::string write(const std::string& name, std::string_view bytes) const {
     std::ofstream(path(name), std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -38,7 +43,7 @@ inline std::string fileBytes(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The message of the InputError that the call throws; fails the test if it throws none, or one of several lines.
+/// The message of the Error that the call throws; fails the test if it throws none, or one of several lines.
 template <class Error, class Call>
 std::string messageOf(Call call) {
   try {
