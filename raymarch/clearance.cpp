@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "half.h"
 #include "sweep/parallel.h"
 
 namespace isolume {
@@ -112,18 +111,6 @@ std::vector<std::uint8_t> buildClearance(GridView<const float> level) {
         row[x] = row[x] == 0 ? Byte{0} : static_cast<Byte>(row[x] | side);
       }
     }
-  });
-  return out;
-}
-
-std::vector<std::uint16_t> packDistance(GridView<const float> distance) {
-  std::vector<std::uint16_t> out(distance.count());
-  const auto toUnits = static_cast<float>(1 / std::min({distance.spacing.x, distance.spacing.y, distance.spacing.z}));
-  const auto plane = static_cast<std::size_t>(distance.strideZ());
-  parallelFor(static_cast<std::size_t>(distance.size.z), [&](std::size_t z) {
-    const float* from = distance.data + z * plane;
-    std::uint16_t* to = out.data() + z * plane;
-    for (std::size_t i = 0; i < plane; ++i) to[i] = halfFromFloat(from[i] * toUnits);
   });
   return out;
 }

@@ -24,7 +24,4 @@ namespace isolume {
 /// One byte per cell, x fastest.
 std::vector<std::uint8_t> buildClearance(GridView<const float> level);
 
-/// Distances in units of the smallest spacing as half floats.
-std::vector<std::uint16_t> packDistance(GridView<const float> distance);
-
 }  // namespace isolume

@@ -32,9 +32,9 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.samples < 1)
     throw GpuError(fmt::format("image: expected at least 1 sample, found {}", settings.samples));
   if (!(settings.gamma > 0)) throw GpuError(fmt::format("image: expected a gamma above 0, found {}", settings.gamma));
-  if (!(settings.readOffsetVoxels >= 0)) {
+  if (!(settings.occlusionOffsetVoxels >= 0)) {
     throw GpuError(fmt::format("image: expected octants read at least 0 voxels above the surface, found {}",
-                               settings.readOffsetVoxels));
+                               settings.occlusionOffsetVoxels));
   }
   if (settings.normals == NormalSource::distance && scene.distance.name() == 0) {
     throw GpuError("render: expected a distance texture for normals from the distance, found a scene without it");
@@ -47,7 +47,7 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
 shader::FrameUniforms makeUniforms(const Camera& camera, const RenderSettings& settings, const SceneTextures& scene) {
   shader::FrameUniforms uniforms{};
   setRays(uniforms, camera, settings.size, scene.frame, scene.size);
-  uniforms.scale.w = settings.readOffsetVoxels;
+  uniforms.scale.w = settings.occlusionOffsetVoxels;
   uniforms.albedo = glm::vec4(settings.albedo, 1 / settings.gamma);
   uniforms.background = glm::vec4(glm::vec3(settings.background) * settings.background.a, settings.background.a);
   const bool octants = scene.hasOctants() && (settings.shading == Shading::occlusion || settings.layers);
@@ -91,7 +91,7 @@ struct Renderer::Impl {
   GlProgram program;
   GlBuffer uniformBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
-  std::array<GlTexture, 2> geometryTerms = uploadGeometryTerms();
+  std::array<GlTexture, 2> geometryTerms;  // made with the first scene that has octants
   SceneTextures scene;
   Framebuffer framebuffer;
 
@@ -149,6 +149,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
   impl_->scene = uploadScene(fields);
+  if (impl_->scene.hasOctants() && !impl_->geometryTerms[0]) impl_->geometryTerms = uploadGeometryTerms();
 }
 
 Frame Renderer::render(const Camera& camera, const RenderSettings& settings) try {

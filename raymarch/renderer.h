@@ -36,7 +36,7 @@ struct RenderSettings {
   int samples = 1;  ///< anti-aliasing samples per pixel, >= 1
   Shading shading = Shading::occlusion;
   NormalSource normals = NormalSource::data;
-  float readOffsetVoxels =
+  float occlusionOffsetVoxels =
       0;                ///< octants are read that far above the hit along the normal, index space; 0 is [Singh10]
   float gamma = 1;      ///< colour = albedo * A^(1 / gamma) ([Singh10] Sec. 2 uses 2)
   glm::vec3 albedo{1};  ///< linear

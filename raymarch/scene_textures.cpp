@@ -2,9 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "clearance.h"
 #include "gl_check.h"
 #include "gpu_error.h"
+#include "half.h"
+#include "sweep/parallel.h"
 #include "textures.h"
 
 namespace isolume {
@@ -15,6 +21,19 @@ void checkSize(const char* what, glm::ivec3 size, glm::ivec3 expected) {
     throw GpuError(fmt::format("{}: expected {}x{}x{} samples as the level has, found {}x{}x{}", what, expected.x,
                                expected.y, expected.z, size.x, size.y, size.z));
   }
+}
+
+// Distances in units of the smallest spacing as half floats.
+std::vector<std::uint16_t> packDistance(GridView<const float> distance) {
+  std::vector<std::uint16_t> out(distance.count());
+  const auto toUnits = static_cast<float>(1 / std::min({distance.spacing.x, distance.spacing.y, distance.spacing.z}));
+  const auto plane = static_cast<std::size_t>(distance.strideZ());
+  parallelFor(static_cast<std::size_t>(distance.size.z), [&](std::size_t z) {
+    const float* from = distance.data + z * plane;
+    std::uint16_t* to = out.data() + z * plane;
+    for (std::size_t i = 0; i < plane; ++i) to[i] = halfFromFloat(from[i] * toUnits);
+  });
+  return out;
 }
 
 }  // namespace

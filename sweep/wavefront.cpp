@@ -18,15 +18,17 @@ LargeArray<T> makeFilled(std::size_t count, T value) {
   return array;
 }
 
-// Distance and light of one kind of buffer.
-struct Pair {
+// Distance and light that one tile hands to another.
+struct Handover {
   LargeArray<float> distance, light;
   std::size_t count = 0;
-  explicit Pair(std::size_t count_ = 0) : count(count_) { reset(); }
+  Handover() = default;
+  explicit Handover(std::size_t count_)
+      : distance(makeLargeArray<float>(count_)), light(makeLargeArray<float>(count_)), count(count_) {
+    reset();
+  }
+  /// What lies outside the grid hands on.
   void reset() {
-    if (count == 0) return;
-    if (!distance) distance = makeFilled(count, kUnsetDistance);
-    if (!light) light = makeFilled(count, 1.0F);
     std::fill_n(distance.get(), count, kUnsetDistance);
     std::fill_n(light.get(), count, 1.0F);
   }
@@ -41,32 +43,32 @@ int blocksOf(int count, int size) { return (count + size - 1) / size; }
 struct WavefrontSweeper::Block {
   LargeArray<float> distance;
   LargeArray<float> visibility;
-  Pair carried;
-  Pair lastRow[2];
+  Handover carried;
+  Handover lastRow[2];
 };
 
 struct WavefrontSweeper::Storage {
   std::vector<Block> blocks;
-  Pair outsideRow;
+  Handover outsideRow;
   std::size_t tileCount = 0;
 };
 
 WavefrontSweeper::WavefrontSweeper(glm::ivec3 size, const SweepMetric& metric)
-    : storage_(new Storage), size_(size), metric_(metric) {
+    : storage_(std::make_unique<Storage>()), size_(size), metric_(metric) {
   const int lanes = tileLanes();
   const auto steps = static_cast<std::size_t>(paddedSteps(size.x, lanes)) * static_cast<std::size_t>(lanes);
   const auto rows = static_cast<std::size_t>(paddedRow(size.x, lanes)) * kTilePlanes;
   storage_->tileCount = steps * kTilePlanes;
-  storage_->outsideRow = Pair(rows);
+  storage_->outsideRow = Handover(rows);
   storage_->blocks.resize(static_cast<std::size_t>(blocksOf(size.y, lanes)));
   for (Block& block : storage_->blocks) {
     block.distance = makeFilled(storage_->tileCount, kUnsetDistance);
-    block.carried = Pair(steps);
-    for (Pair& row : block.lastRow) row = Pair(rows);
+    block.carried = Handover(steps);
+    for (Handover& row : block.lastRow) row = Handover(rows);
   }
 }
 
-WavefrontSweeper::~WavefrontSweeper() { delete storage_; }
+WavefrontSweeper::~WavefrontSweeper() = default;
 
 void WavefrontSweeper::sweep(const Octant& octant, float* distance, VisibilityTarget visibility) {
   const OctantWalk walk = walkOctant(size_, octant);
@@ -82,8 +84,8 @@ void WavefrontSweeper::sweep(const Octant& octant, float* distance, VisibilityTa
   const auto sweepOne = [&](int blockIndex, int layer) {
     Block& block = storage_->blocks[static_cast<std::size_t>(blockIndex)];
     const int parity = layer % 2;
-    const Pair& below = blockIndex > 0 ? storage_->blocks[static_cast<std::size_t>(blockIndex) - 1].lastRow[parity]
-                                       : storage_->outsideRow;
+    const Handover& below = blockIndex > 0 ? storage_->blocks[static_cast<std::size_t>(blockIndex) - 1].lastRow[parity]
+                                           : storage_->outsideRow;
     const TileOrigin origin{blockIndex * lanes, layer * kTilePlanes};
     TileBuffers buffers;
     buffers.distance = block.distance.get();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "grid.h"
 #include "octants.h"
@@ -21,8 +22,6 @@ class WavefrontSweeper {
  public:
   WavefrontSweeper(glm::ivec3 size, const SweepMetric& metric);
   ~WavefrontSweeper();
-  WavefrontSweeper(const WavefrontSweeper&) = delete;
-  WavefrontSweeper& operator=(const WavefrontSweeper&) = delete;
 
   /// Sweeps in place; `distance` as of startDistance(). A tile waits only for the tile below it in z and the one before
   /// it in y ([Detrixhe13]); all tiles of an anti-diagonal run in parallel, which changes no result.
@@ -31,7 +30,7 @@ class WavefrontSweeper {
  private:
   struct Block;
   struct Storage;
-  Storage* storage_;
+  std::unique_ptr<Storage> storage_;
   glm::ivec3 size_;
   SweepMetric metric_;
 };

@@ -9,7 +9,6 @@
 #include "src/jobs/frame_image.h"
 #include "src/jobs/provenance.h"
 #include "src/jobs/report.h"
-#include "sweep/parallel.h"
 
 namespace isolume {
 namespace {
@@ -22,7 +21,7 @@ RenderSettings renderSettings(const RenderJob& job) {
   settings.samples = job.samples;
   settings.shading = job.shading;
   settings.normals = job.normals;
-  settings.readOffsetVoxels = static_cast<float>(job.occlusionOffset);
+  settings.occlusionOffsetVoxels = static_cast<float>(job.occlusionOffset);
   settings.gamma = static_cast<float>(job.gamma);
   settings.albedo = job.albedo.linear;
   settings.background = glm::vec4(job.background.linear, job.transparent ? 0.0f : 1.0f);
@@ -54,9 +53,6 @@ void runRenderJob(const RenderJob& job) {
   checkWritable(job.output);
   if (!job.run.report.empty()) checkWritable(job.run.report);
   limitThreads(job.run.threads);
-  // The first parallel loop makes oneTBB load libraries of its own. It goes first: later the loader's lock is taken for
-  // as long as the image codec is being loaded, and reading would wait for it.
-  parallelFor(1, [](std::size_t) {});
   preloadImageCodec();
   StageLog log(job.run);
 

@@ -39,7 +39,7 @@ struct Bench {
 
 void frame(benchmark::State& state, RenderSettings settings) {
   static Bench bench;
-  settings.readOffsetVoxels = 2;
+  settings.occlusionOffsetVoxels = 2;
   settings.background = glm::vec4(0);
   Frame picture = bench.renderer.render(bench.camera, settings);  // compiles
   for (auto _ : state) picture = bench.renderer.render(bench.camera, settings);

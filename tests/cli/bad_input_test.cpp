@@ -148,7 +148,7 @@ class BadInput : public ProgramTest, public ::testing::WithParamInterface<BadCas
     std::filesystem::create_directory(path("folder.png"));
     std::filesystem::create_symlink("/dev/full", path("full.png"));
     runWell({"sample", "spheres", "--size", "8", "--quiet", "-o", "ball.vdb"});
-    const std::string vdb = readBytes(path("ball.vdb"));
+    const std::string vdb = fileBytes(path("ball.vdb"));
     writeBytes(path("damaged.vdb"), vdb.substr(0, vdb.size() / 2));
   }
 };
@@ -196,7 +196,7 @@ TEST_F(ProgramTest, OldFileSurvivesAFailure) {
   writeBytes(path("out.png"), "old");
   writeBall(path("ball_9x9x9_float32.raw"), kBall, kRadius);
   EXPECT_EQ(run(render({"--isovalue", "100"})).exitCode, 3);
-  EXPECT_EQ(readBytes(path("out.png")), "old");
+  EXPECT_EQ(fileBytes(path("out.png")), "old");
 }
 
 }  // namespace

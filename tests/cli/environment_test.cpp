@@ -21,7 +21,7 @@ const std::string kBallFile = "ball_17x17x17_float32.raw";
 
 /// A line of /proc/ID/status that lists signals: whether SIGINT is caught.
 bool catchesInterrupt(pid_t id) {
-  const std::string status = readBytes("/proc/" + std::to_string(id) + "/status");
+  const std::string status = fileBytes("/proc/" + std::to_string(id) + "/status");
   const std::string key = "SigCgt:\t";
   const std::size_t at = status.find(key);
   if (at == std::string::npos) return false;
@@ -30,7 +30,7 @@ bool catchesInterrupt(pid_t id) {
 }
 
 bool hasLoaded(pid_t id, std::string_view library) {
-  return readBytes("/proc/" + std::to_string(id) + "/maps").find(library) != std::string::npos;
+  return fileBytes("/proc/" + std::to_string(id) + "/maps").find(library) != std::string::npos;
 }
 
 /// Polls until `condition` holds or the process has ended.
@@ -120,9 +120,9 @@ TEST_F(ProgramTest, ThreadsChangeNoBit) {
   draw("2", "two.exr");
   const Image one = readImage(path("one.exr"));
   EXPECT_TRUE(sameBits(one, readImage(path("two.exr"))));
-  const std::string bytes = readBytes(path("two.exr"));
+  const std::string bytes = fileBytes(path("two.exr"));
   draw("2", "two.exr");
-  EXPECT_TRUE(bytes == readBytes(path("two.exr"))) << "the same command wrote different bytes";
+  EXPECT_TRUE(bytes == fileBytes(path("two.exr"))) << "the same command wrote different bytes";
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST_F(Fields, DrawTheSamePictureAsTheVolume) {
   EXPECT_TRUE(sameBits(readImage(path("direct.exr")), image));
   EXPECT_THAT(metadata(image, "isolume:fields_source"), HasSubstr("isolume fields corner.vdb --isovalue 0.01"));
   EXPECT_EQ(metadata(image, "isolume:isovalue"), "0.01");
-  const auto report = nlohmann::json::parse(readBytes(path("saved.json")));
+  const auto report = nlohmann::json::parse(fileBytes(path("saved.json")));
   EXPECT_EQ(report["stages"][1]["name"], "upload") << "fields were swept again";
 }
 
@@ -48,7 +48,7 @@ TEST_F(Fields, AlsoDrawWithoutOcclusion) {
 
 TEST_F(Fields, HaveTheirStagesInTheReport) {
   // Making fields reads, sweeps and writes, and draws nothing.
-  const auto report = nlohmann::json::parse(readBytes(path("fields.json")));
+  const auto report = nlohmann::json::parse(fileBytes(path("fields.json")));
   std::vector<std::string> names;
   for (const auto& stage : report["stages"]) names.push_back(stage["name"]);
   EXPECT_THAT(names, ::testing::ElementsAre("read", "distance", "visibility", "write"));

@@ -44,7 +44,7 @@ TEST_F(ProgramTest, RenderTakesTheIsovalueThatInfoPrints) {
   writeBall(path("ball_17x17x17_float32.raw"), 17, 6);
   const nlohmann::json info = parse(runWell({"info", "ball_17x17x17_float32.raw", "--json"}).out);
   runWell({"render", "ball_17x17x17_float32.raw", "--size", "8x8", "--report", "r.json", "-o", "out.png"});
-  const nlohmann::json report = parse(readBytes(path("r.json")));
+  const nlohmann::json report = parse(fileBytes(path("r.json")));
   EXPECT_EQ(report["settings"]["isovalue"], info["isovalue"]);
   EXPECT_EQ(report["settings"]["isovalue_choice"], info["isovalue_choice"]);
 }

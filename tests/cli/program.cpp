@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 namespace isolume::test {
 namespace {
@@ -40,6 +39,14 @@ std::string streamPath(const std::string& folder, const char* stream) { return f
 
 }  // namespace
 
+bool hasPseudoTerminals() {
+  int ours = -1, theirs = -1;
+  if (openpty(&ours, &theirs, nullptr, nullptr, nullptr) != 0) return false;
+  close(ours);
+  close(theirs);
+  return true;
+}
+
 Process::Process(const std::string& folder, const std::vector<std::string>& arguments, const Surroundings& surroundings)
     : folder_(folder) {
   std::vector<std::string> words{ISOLUME_PROGRAM};
@@ -48,8 +55,7 @@ Process::Process(const std::string& folder, const std::vector<std::string>& argu
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   int programEnd = -1;
-  if (surroundings.terminal && openpty(&terminal_, &programEnd, nullptr, nullptr, nullptr) != 0)
-    throw NoTerminal("openpty: no pseudo-terminal on this machine");
+  if (surroundings.terminal && openpty(&terminal_, &programEnd, nullptr, nullptr, nullptr) != 0) std::abort();
   const std::string out = streamPath(folder, "out"), err = streamPath(folder, "err");
   writeBytes(err, "");
   id_ = fork();
@@ -85,8 +91,8 @@ Outcome Process::wait() {
   Outcome outcome;
   if (WIFEXITED(*status_)) outcome.exitCode = WEXITSTATUS(*status_);
   if (WIFSIGNALED(*status_)) outcome.signal = WTERMSIG(*status_);
-  outcome.out = readBytes(streamPath(folder_, "out"));
-  outcome.err = terminal_ >= 0 ? shown : readBytes(streamPath(folder_, "err"));
+  outcome.out = fileBytes(streamPath(folder_, "out"));
+  outcome.err = terminal_ >= 0 ? shown : fileBytes(streamPath(folder_, "err"));
   return outcome;
 }
 
@@ -111,13 +117,6 @@ std::vector<std::string> ProgramTest::files() const {
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   return names;
-}
-
-std::string readBytes(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
 }
 
 void writeBytes(const std::string& path, const std::string& bytes) {

@@ -5,7 +5,6 @@
 #include <sys/types.h>
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,10 +19,8 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Thrown where a terminal was asked for and the machine has none to give.
-struct NoTerminal : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+/// Whether Surroundings::terminal can be had: not in a bare chroot.
+bool hasPseudoTerminals();
 
 struct Surroundings {
   std::vector<std::pair<std::string, std::string>> environment = {};  ///< added to that of the test
@@ -67,7 +64,6 @@ class ProgramTest : public ::testing::Test {
   std::string folder_ = temporary_.path();
 };
 
-std::string readBytes(const std::string& path);
 void writeBytes(const std::string& path, const std::string& bytes);
 
 /// A raw float32 ball: value = radius - |p - centre| in voxels, centre at (n - 1) / 2. Solid above 0.

@@ -69,7 +69,7 @@ TEST_F(Provenance, MetadataDrawsThePictureAgain) {
 TEST_F(Provenance, ReportHasStagesMemoryAndSettings) {
   // The JSON has the six stages in order with seconds and bytes, the voxels, the peak memory and every setting.
   runWell({"render", kBallFile, "--size", "24x16", "--threads", "1", "--report", "report.json", "-o", "out.png"});
-  const auto report = nlohmann::json::parse(readBytes(path("report.json")));
+  const auto report = nlohmann::json::parse(fileBytes(path("report.json")));
   std::vector<std::string> names;
   for (const auto& stage : report["stages"]) {
     names.push_back(stage["name"]);
@@ -81,7 +81,7 @@ TEST_F(Provenance, ReportHasStagesMemoryAndSettings) {
   EXPECT_EQ(report["stages"][0]["bytes"], kVoxels * sizeof(float));
   EXPECT_EQ(report["stages"][2]["bytes"], kVoxels * 8);  // eight octants of one byte
   EXPECT_EQ(report["stages"][2]["seconds"], 0);
-  EXPECT_EQ(report["stages"][5]["bytes"], readBytes(path("out.png")).size());
+  EXPECT_EQ(report["stages"][5]["bytes"], fileBytes(path("out.png")).size());
   EXPECT_EQ(report["voxels"], kVoxels);
   EXPECT_EQ(report["dims"], nlohmann::json({17, 17, 17}));
   EXPECT_EQ(report["threads"], 1);
@@ -97,7 +97,7 @@ TEST_F(Provenance, ReportHasStagesMemoryAndSettings) {
 TEST_F(Provenance, StagesThatAreNotNeededAreNotRun) {
   // Without occlusion nothing is swept for visibility, and the report does not list it.
   runWell({"render", kBallFile, "--occlusion", "none", "--size", "24x16", "--report", "report.json", "-o", "out.png"});
-  const auto report = nlohmann::json::parse(readBytes(path("report.json")));
+  const auto report = nlohmann::json::parse(fileBytes(path("report.json")));
   std::vector<std::string> names;
   for (const auto& stage : report["stages"]) names.push_back(stage["name"]);
   EXPECT_THAT(names, ::testing::ElementsAre("read", "distance", "upload", "frame", "write"));

@@ -19,7 +19,7 @@ TEST_F(ProgramTest, RawSamplesAreThoseOfTheScene) {
   for (const std::string_view name : sceneNames()) {
     const std::string file = std::string(name) + "_12x12x12_float32.raw";
     runWell({"sample", std::string(name), "--size", "12", "--quiet", "-o", file});
-    const std::string bytes = readBytes(path(file));
+    const std::string bytes = fileBytes(path(file));
     const Grid<float> grid = sampleScene(*findScene(name), kSize);
     ASSERT_EQ(bytes.size(), grid.count() * sizeof(float));
     EXPECT_EQ(std::memcmp(bytes.data(), grid.data(), bytes.size()), 0) << name;

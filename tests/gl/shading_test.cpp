@@ -75,13 +75,13 @@ TEST(Shading, VisibilityIsInterpolatedLinearly) {
 
 // A ball with swept octants. Its ambient should vary slowly: the largest second difference between neighbouring pixels
 // is a measure of stripes.
-double roughness(float readOffsetVoxels) {
+double roughness(float occlusionOffsetVoxels) {
   GlScene scene = makeSphere();
   SweptFields swept = sweepOcclusion(scene.level.view());
   scene.octants = std::move(swept.visibility.packed);
   RenderSettings settings = layerSettings(200, 200);
   settings.shading = Shading::occlusion;
-  settings.readOffsetVoxels = readOffsetVoxels;
+  settings.occlusionOffsetVoxels = occlusionOffsetVoxels;
   const Frame frame = renderOnce(scene, frameScene(scene), settings);
   double largest = 0;
   for (int y = 0; y < frame.size.y; ++y)
@@ -114,7 +114,7 @@ TEST(Shading, ACapIsAsOpenAsTheSurfaceBesideIt) {
   scene.octants = std::move(swept.visibility.packed);
   RenderSettings settings = layerSettings();
   settings.shading = Shading::occlusion;
-  settings.readOffsetVoxels = 2;
+  settings.occlusionOffsetVoxels = 2;
   const Frame frame = renderOnce(scene, frameScene(scene), settings);
   int caps = 0;
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {

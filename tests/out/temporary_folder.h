@@ -1,4 +1,4 @@
-// A fixture with a folder of its own for each test, and what may lie in it.
+// A fixture with a folder of its own for each test.
 #pragma once
 
 #include <string>
@@ -23,7 +23,5 @@ class TemporaryFolder : public ::testing::Test {
  private:
   TempFolder folder_;
 };
-
-inline std::string contents(const std::string& path) { return fileBytes(path); }
 
 }  // namespace isolume::test

@@ -16,7 +16,7 @@
 namespace isolume {
 namespace {
 
-using test::contents;
+using test::fileBytes;
 using test::messageOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -80,7 +80,7 @@ TEST_F(ImageFile, EveryCodeOfPngSurvives) {
       for (int code = 0; code <= last; ++code)
         channel.values.push_back(linearFromSrgb(static_cast<float>(code) / static_cast<float>(last)));
     writeImage(at("codes.png"), image, {bits});
-    const RawImage raw = imageCodec().decode(contents(at("codes.png")), ImageFormat::png);
+    const RawImage raw = imageCodec().decode(fileBytes(at("codes.png")), ImageFormat::png);
     ASSERT_EQ(raw.type, bits == 8 ? SampleType::uint8 : SampleType::uint16);
     const std::size_t bytes = bits == 8 ? 1 : 2;
     for (int code = 0; code <= last; ++code) {
@@ -96,7 +96,7 @@ TEST_F(ImageFile, PngStoresStraightAlpha) {
   const Image image{
       {3, 1}, {{"R", {0.25f, 0.0f, 0.5f}}, {"G", {0.5f, 0.0f, 0.5f}}, {"B", {0, 0, 0.5f}}, {"A", {0.5f, 0, 1}}}, {}};
   writeImage(at("alpha.png"), image);
-  const RawImage raw = imageCodec().decode(contents(at("alpha.png")), ImageFormat::png);
+  const RawImage raw = imageCodec().decode(fileBytes(at("alpha.png")), ImageFormat::png);
   std::vector<int> codes;
   for (const std::byte byte : raw.samples) codes.push_back(static_cast<int>(byte));
   // sRGB(.5) = .73536 = 187.5 / 255 rounds to 188; alpha .5 = 127.5 / 255 rounds up.
@@ -152,8 +152,8 @@ TEST_F(ImageFile, MetadataSurvivesBothFormats) {
     writeImage(at(name), image);
     EXPECT_THAT(readImage(at(name)).metadata, IsSupersetOf(kMetadata)) << name;
   }
-  EXPECT_THAT(contents(at("a.png")), HasSubstr(std::string("tEXtSoftware\0isolume 0.1.0", 26)));
-  EXPECT_THAT(contents(at("a.exr")), HasSubstr("isolume render 'Schädel μCT.raw'"));
+  EXPECT_THAT(fileBytes(at("a.png")), HasSubstr(std::string("tEXtSoftware\0isolume 0.1.0", 26)));
+  EXPECT_THAT(fileBytes(at("a.exr")), HasSubstr("isolume render 'Schädel μCT.raw'"));
 }
 
 TEST_F(ImageFile, MetadataThatWouldVanishIsRefused) {
@@ -175,10 +175,10 @@ TEST_F(ImageFile, SameImageSameBytes) {
     writeImage(at(name), image);
   }
   setThreadCount(0);
-  EXPECT_TRUE(contents(at("1.png")) == contents(at("2.png")));
+  EXPECT_TRUE(fileBytes(at("1.png")) == fileBytes(at("2.png")));
   // Two files of the same second would agree in the date as well, which OpenImageIO likes to add.
   EXPECT_THAT(readImage(at("1.exr")).metadata, Not(Contains(Key("DateTime"))));
-  EXPECT_TRUE(contents(at("1.exr")) == contents(at("2.exr")));
+  EXPECT_TRUE(fileBytes(at("1.exr")) == fileBytes(at("2.exr")));
 }
 
 TEST_F(ImageFile, WrongTargetsAreUsageErrors) {
@@ -217,7 +217,7 @@ TEST_F(ImageFile, DamagedImagesAreInputErrors) {
   const Image image = makeImage({64, 64}, {"R", "G", "B"});
   for (const std::string name : {"a.png", "a.exr"}) {
     writeImage(at(name), image);
-    const std::string bytes = contents(at(name));
+    const std::string bytes = fileBytes(at(name));
     std::ofstream(at("cut"), std::ios::binary) << bytes.substr(0, bytes.size() / 2);
     EXPECT_THAT(messageOf<InputError>([&] { readImage(at("cut")); }),
                 StartsWith(at("cut") + ": cannot decode the image: "));

@@ -13,7 +13,7 @@
 namespace isolume {
 namespace {
 
-using test::contents;
+using test::fileBytes;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
@@ -37,7 +37,7 @@ class Interrupt : public test::TemporaryFolder {
     }
     int status = -1;
     waitpid(child, &status, 0);
-    Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(said_)};
+    Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileBytes(said_)};
     std::filesystem::remove(said_);
     return ended;
   }
@@ -78,7 +78,7 @@ TEST_F(Interrupt, SignalFromOutsideDuringWriting) {
     EXPECT_EQ(ended.exitCode, 130);
     EXPECT_THAT(ended.said, StartsWith("isolume: interrupted, "));
     EXPECT_THAT(entries(), ElementsAre("out"));
-    const std::string now = contents(at("out"));
+    const std::string now = fileBytes(at("out"));
     EXPECT_TRUE(now == old || now == large) << now.size() << " bytes";
   }
 }
@@ -101,7 +101,7 @@ TEST_F(Interrupt, FinishedFilesStay) {
   });
   EXPECT_EQ(ended.exitCode, 130);
   EXPECT_EQ(ended.said, "isolume: interrupted, only files finished before were written\n");
-  EXPECT_EQ(contents(at("out")), "whole");
+  EXPECT_EQ(fileBytes(at("out")), "whole");
 }
 
 TEST_F(Interrupt, DiscardedFileDisappears) {

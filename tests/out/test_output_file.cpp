@@ -12,7 +12,7 @@
 namespace isolume {
 namespace {
 
-using test::contents;
+using test::fileBytes;
 using test::messageOf;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -24,7 +24,7 @@ TEST_F(OutputFile, WritesAndReplaces) {
   // What was written is the whole content, an older file is replaced, and no temporary file stays.
   writeFileAtomically(at("a"), std::string(100000, 'x'));
   writeFileAtomically(at("a"), std::string_view("new\0bytes", 9));
-  EXPECT_EQ(contents(at("a")), std::string("new\0bytes", 9));
+  EXPECT_EQ(fileBytes(at("a")), std::string("new\0bytes", 9));
   EXPECT_THAT(entries(), ElementsAre("a"));
 }
 
@@ -45,14 +45,14 @@ TEST_F(OutputFile, FollowsSymbolicLinks) {
   std::filesystem::create_symlink("elsewhere/file", at("link"));
   writeFileAtomically(at("link"), "new");
   EXPECT_TRUE(std::filesystem::is_symlink(at("link")));
-  EXPECT_EQ(contents(at("elsewhere/file")), "new");
+  EXPECT_EQ(fileBytes(at("elsewhere/file")), "new");
 }
 
 TEST_F(OutputFile, LongestNameFits) {
   // The temporary name does not grow with the target's, which may have all 255 bytes that a name can have.
   const std::string name(NAME_MAX, 'n');
   writeFileAtomically(at(name), "x");
-  EXPECT_EQ(contents(at(name)), "x");
+  EXPECT_EQ(fileBytes(at(name)), "x");
   EXPECT_EQ(messageOf<OutputError>([&] { writeFileAtomically(at(name + "n"), "x"); }),
             at(name + "n") + ": cannot write: File name too long");
 }
@@ -79,7 +79,7 @@ TEST_F(OutputFile, CheckTouchesNothing) {
   checkWritable(at("old"));
   checkWritable(at("new"));
   EXPECT_THAT(entries(), ElementsAre("old"));
-  EXPECT_EQ(contents(at("old")), "kept");
+  EXPECT_EQ(fileBytes(at("old")), "kept");
 }
 
 TEST_F(OutputFile, RelativeNameWithoutFolder) {
@@ -88,7 +88,7 @@ TEST_F(OutputFile, RelativeNameWithoutFolder) {
   std::filesystem::current_path(at(""));
   writeFileAtomically("bare", "x");
   std::filesystem::current_path(before);
-  EXPECT_EQ(contents(at("bare")), "x");
+  EXPECT_EQ(fileBytes(at("bare")), "x");
 }
 
 TEST_F(OutputFile, PermissionsAreRespected) {
@@ -98,7 +98,7 @@ TEST_F(OutputFile, PermissionsAreRespected) {
   std::filesystem::permissions(at("protected"), std::filesystem::perms::owner_read);
   EXPECT_EQ(messageOf<OutputError>([&] { writeFileAtomically(at("protected"), "x"); }),
             at("protected") + ": cannot write: Permission denied");
-  EXPECT_EQ(contents(at("protected")), "kept");
+  EXPECT_EQ(fileBytes(at("protected")), "kept");
   std::filesystem::permissions(at(""), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
   EXPECT_THROW(checkWritable(at("new")), OutputError);
   EXPECT_THROW(writeFileAtomically(at("new"), "x"), OutputError);
@@ -127,7 +127,7 @@ TEST_F(OutputFile, DiskFullLeavesNothing) {
   EXPECT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 0) << "1: another message";
   EXPECT_THAT(entries(), ElementsAre("a"));
-  EXPECT_EQ(contents(at("a")), "old");
+  EXPECT_EQ(fileBytes(at("a")), "old");
 }
 
 }  // namespace
