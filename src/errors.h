@@ -17,5 +17,9 @@ struct InputError : std::runtime_error {
 struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+/// A comparison that exceeds a limit the user set, or meets a NaN. Exit code 6.
+struct LimitError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 }  // namespace isolume
