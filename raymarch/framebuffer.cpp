@@ -37,9 +37,12 @@ void Framebuffer::bind(glm::ivec2 size, bool color, bool layers) const {
   glViewport(0, 0, size.x, size.y);
 }
 
-void Framebuffer::clearColor() const {
-  constexpr std::array<GLfloat, 4> kZero{};
-  glClearNamedFramebufferfv(framebuffer_.name(), GL_COLOR, 0, kZero.data());
+void Framebuffer::clear(glm::vec4 color) const {
+  constexpr glm::vec4 kNoNormal(0, 0, 0, 1), kNoPosition(0);
+  const GLuint name = framebuffer_.name();
+  glClearNamedFramebufferfv(name, GL_COLOR, 0, &color[0]);
+  glClearNamedFramebufferfv(name, GL_COLOR, 1, &kNoNormal[0]);
+  glClearNamedFramebufferfv(name, GL_COLOR, 2, &kNoPosition[0]);
 }
 
 void Framebuffer::read(Attachment attachment, glm::ivec2 tileSize, glm::vec4* destination, int imageWidth) const {

@@ -21,8 +21,8 @@ class Framebuffer {
   void reserve(glm::ivec2 size, bool layers);
   /// Binds for drawing, with the outputs that are wanted and the others discarded.
   void bind(glm::ivec2 size, bool color, bool layers) const;
-  /// Colour becomes 0; call while bound with colour.
-  void clearColor() const;
+  /// What the last bind() left on becomes what a pixel without a hit has, and this colour.
+  void clear(glm::vec4 color) const;
   /// Copies a tile to its place in an image of that width (texels). Row 0 is the top.
   void read(Attachment attachment, glm::ivec2 tileSize, glm::vec4* destination, int imageWidth) const;
 

@@ -7,6 +7,7 @@ namespace isolume {
 
 const std::vector<ProgramVariant>& programVariants() {
   static const std::vector<ProgramVariant> variants{
+      {"beam", "shaders/fullscreen.vert", "shaders/beam.frag"},
       {"march", "shaders/fullscreen.vert", "shaders/march.frag"},
   };
   return variants;

@@ -10,6 +10,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "beams.h"
 #include "frame_uniforms.h"
 #include "framebuffer.h"
 #include "gl_check.h"
@@ -87,6 +88,8 @@ void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::
 
 }  // namespace
 
+constexpr GLuint kBeamUnit = 7;  // after the textures of the scene
+
 struct Renderer::Impl {
   GlProgram program;
   GlBuffer uniformBuffer = GlBuffer::create();
@@ -94,6 +97,7 @@ struct Renderer::Impl {
   std::array<GlTexture, 2> geometryTerms;  // made with the first scene that has octants
   SceneTextures scene;
   Framebuffer framebuffer;
+  BeamPass beams;
 
   Impl() {
     const ProgramVariant& march = programVariant("march");
@@ -105,38 +109,50 @@ struct Renderer::Impl {
   void bindInputs(const shader::FrameUniforms& uniforms) const {
     glNamedBufferSubData(uniformBuffer.name(), 0, sizeof(uniforms), &uniforms);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniformBuffer.name());
-    glUseProgram(program.name());
     glBindVertexArray(vertexArray.name());
     const std::array<GLuint, 7> textures{scene.level.name(),      scene.clearance.name(),  scene.distance.name(),
                                          scene.octants[0].name(), scene.octants[1].name(), geometryTerms[0].name(),
                                          geometryTerms[1].name()};
+    static_assert(textures.size() == kBeamUnit);
     for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
     for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE);
   }
 
-  void draw(glm::vec2 pixelOrigin) const {
+  // The rectangles, each a triangle that covers the viewport, cut by the scissor.
+  void draw(glm::vec2 pixelOrigin, const std::vector<PixelRect>& rects) const {
     constexpr GLint kPixelOrigin = 0;
     constexpr int kTriangle = 3;
+    glUseProgram(program.name());
+    glBindTextureUnit(kBeamUnit, beams.texture());
     glProgramUniform2f(program.name(), kPixelOrigin, pixelOrigin.x, pixelOrigin.y);
-    glDrawArrays(GL_TRIANGLES, 0, kTriangle);
+    glEnable(GL_SCISSOR_TEST);
+    for (const PixelRect& rect : rects) {
+      glScissor(rect.low.x, rect.low.y, rect.high.x - rect.low.x, rect.high.y - rect.low.y);
+      glDrawArrays(GL_TRIANGLES, 0, kTriangle);
+    }
+    glDisable(GL_SCISSOR_TEST);
     glFinish();
   }
 
   // Colour (sum of the samples) and layers of one tile. One sample is its own centre; of several, the centre's layers
   // are drawn on their own.
-  void drawTile(glm::vec2 pixelOrigin, glm::ivec2 size, const RenderSettings& settings) const {
+  void drawTile(glm::vec2 pixelOrigin, glm::ivec2 size, const RenderSettings& settings, glm::vec4 background) {
+    const std::vector<PixelRect> rects = beams.trace(pixelOrigin, size);
     const bool single = settings.samples == 1;
     if (single || settings.layers) {
       framebuffer.bind(size, single, settings.layers);
-      draw(pixelOrigin);
+      framebuffer.clear(background);
+      draw(pixelOrigin, rects);
     }
     if (single) return;
     framebuffer.bind(size, true, false);
-    framebuffer.clearColor();
-    glEnablei(GL_BLEND, 0);
-    for (int i = 0; i < settings.samples; ++i) draw(pixelOrigin + sampleOffset(i));
+    framebuffer.clear(static_cast<float>(settings.samples) * background);
+    for (int i = 0; i < settings.samples; ++i) {
+      if (i == 1) glEnablei(GL_BLEND, 0);  // the first sample replaces the background of the rectangles
+      draw(pixelOrigin + sampleOffset(i), rects);
+    }
     glDisablei(GL_BLEND, 0);
   }
 };
@@ -169,7 +185,7 @@ Frame Renderer::render(const Camera& camera, const RenderSettings& settings) try
   for (int y = 0; y < size.y; y += tile.y) {
     for (int x = 0; x < size.x; x += tile.x) {
       const glm::ivec2 extent = glm::min(tile, size - glm::ivec2(x, y));
-      impl_->drawTile(glm::vec2(x, y) - 0.5f * glm::vec2(size), extent, settings);
+      impl_->drawTile(glm::vec2(x, y) - 0.5f * glm::vec2(size), extent, settings, uniforms.background);
       const std::size_t start =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
       impl_->framebuffer.read(Attachment::color, extent, &frame.color[start], size.x);

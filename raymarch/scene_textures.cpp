@@ -51,10 +51,10 @@ SceneTextures uploadScene(const SceneFields& fields) {
   // The grid's own spacing is the matrix's up to rounding; lengths on the GPU go by the matrix.
   GridView<const float> level = fields.level, distance = fields.distance;
   level.spacing = distance.spacing = scene.frame.spacing;
-  scene.level = makeTexture3D("level", size, kR32F, GL_LINEAR, level.data);
+  scene.level = makeTextureSlices("level", size, kR32F, GL_LINEAR, level.data);
   scene.clearance = makeTexture3D("clearance", size - 1, kR8UI, GL_NEAREST, buildClearance(level).data());
   if (fields.distanceNormals) {
-    scene.distance = makeTexture3D("distance", size, kR16F, GL_LINEAR, packDistance(distance).data());
+    scene.distance = makeTextureSlices("distance", size, kR16F, GL_LINEAR, packDistance(distance).data());
   }
   if (fields.octants[0].data) {
     for (std::size_t i = 0; i < scene.octants.size(); ++i) {

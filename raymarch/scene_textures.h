@@ -8,9 +8,9 @@
 namespace isolume {
 
 struct SceneTextures {
-  GlTexture level;                   ///< R32F, samples
+  GlTexture level;                   ///< R32F, samples, as slices
   GlTexture clearance;               ///< R8UI, cells; clearance.h
-  GlTexture distance;                ///< R16F, samples, in smallest spacings
+  GlTexture distance;                ///< R16F, samples, in smallest spacings, as slices
   std::array<GlTexture, 2> octants;  ///< RGBA8, samples; absent where the scene has none
   glm::ivec3 size{0};
   GridFrame frame;

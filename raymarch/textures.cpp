@@ -46,19 +46,15 @@ void setSampling(GLuint texture, GLint filter) {
   }
 }
 
-}  // namespace
-
-GlTexture makeTexture3D(const std::string& what, glm::ivec3 size, const TexelFormat& format, GLint filter,
-                        const void* texels) {
-  checkGl("before the " + what + " texture");
-  checkExtent(what, size, std::max({size.x, size.y, size.z}), GL_MAX_3D_TEXTURE_SIZE, format);
-  glTexImage3D(GL_PROXY_TEXTURE_3D, 0, static_cast<GLint>(format.internal), size.x, size.y, size.z, 0, format.format,
-               format.type, nullptr);
+GlTexture makeVolume(GLenum target, GLenum proxy, const std::string& what, glm::ivec3 size, const TexelFormat& format,
+                     GLint filter, const void* texels) {
+  glTexImage3D(proxy, 0, static_cast<GLint>(format.internal), size.x, size.y, size.z, 0, format.format, format.type,
+               nullptr);
   GLint width = 0;
-  glGetTexLevelParameteriv(GL_PROXY_TEXTURE_3D, 0, GL_TEXTURE_WIDTH, &width);
+  glGetTexLevelParameteriv(proxy, 0, GL_TEXTURE_WIDTH, &width);
   glGetError();  // some drivers raise an error beside refusing the proxy
   if (width == 0) refuse(what, size, format);
-  GlTexture texture = GlTexture::create(GL_TEXTURE_3D);
+  GlTexture texture = GlTexture::create(target);
   glTextureStorage3D(texture.name(), 1, format.internal, size.x, size.y, size.z);
   checkAllocated(what, size, format);
   setSampling(texture.name(), filter);
@@ -66,6 +62,23 @@ GlTexture makeTexture3D(const std::string& what, glm::ivec3 size, const TexelFor
   glTextureSubImage3D(texture.name(), 0, 0, 0, 0, size.x, size.y, size.z, format.format, format.type, texels);
   checkAllocated(what, size, format);
   return texture;
+}
+
+}  // namespace
+
+GlTexture makeTexture3D(const std::string& what, glm::ivec3 size, const TexelFormat& format, GLint filter,
+                        const void* texels) {
+  checkGl("before the " + what + " texture");
+  checkExtent(what, size, std::max({size.x, size.y, size.z}), GL_MAX_3D_TEXTURE_SIZE, format);
+  return makeVolume(GL_TEXTURE_3D, GL_PROXY_TEXTURE_3D, what, size, format, filter, texels);
+}
+
+GlTexture makeTextureSlices(const std::string& what, glm::ivec3 size, const TexelFormat& format, GLint filter,
+                            const void* texels) {
+  checkGl("before the " + what + " texture");
+  checkExtent(what, size, std::max(size.x, size.y), GL_MAX_TEXTURE_SIZE, format);
+  checkExtent(what, size, size.z, GL_MAX_ARRAY_TEXTURE_LAYERS, format);
+  return makeVolume(GL_TEXTURE_2D_ARRAY, GL_PROXY_TEXTURE_2D_ARRAY, what, size, format, filter, texels);
 }
 
 GlTexture makeTexture2D(const std::string& what, glm::ivec2 size, const TexelFormat& format, GLint filter,

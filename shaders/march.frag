@@ -6,18 +6,20 @@
 #include "lib/cell_cubic.glsl"
 #include "lib/clearance.glsl"
 #include "lib/ray_box.glsl"
+#include "shared/beam_block.h"
 #include "shared/clearance_code.h"
 #include "shared/frame_uniforms.h"
 
 layout(std140, binding = 0) uniform FrameBlock { FrameUniforms frame; };
 layout(location = 0) uniform vec2 pixelOrigin;  // of this tile and sample, relative to the centre of the picture
-layout(binding = 0) uniform sampler3D levelTexture;
+layout(binding = 0) uniform sampler2DArray levelTexture;
 layout(binding = 1) uniform usampler3D clearanceTexture;
-layout(binding = 2) uniform sampler3D distanceTexture;
+layout(binding = 2) uniform sampler2DArray distanceTexture;
 layout(binding = 3) uniform sampler3D octants0Texture;
 layout(binding = 4) uniform sampler3D octants1Texture;
 layout(binding = 5) uniform sampler2D geometry0Texture;
 layout(binding = 6) uniform sampler2D geometry1Texture;
+layout(binding = 7) uniform sampler2D beamTexture;
 
 layout(location = 0) out vec4 outColor;     // linear, premultiplied
 layout(location = 1) out vec4 outNormal;    // grid axes, unit, out of the solid; w: ambient

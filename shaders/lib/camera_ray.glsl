@@ -7,6 +7,7 @@ struct Ray {
   vec3 origin;
   vec3 direction;  // one unit of the parameter is one smallest spacing of physical length
   float start;     // parameter of the eye (perspective) or of the plane through it (orthographic)
+  float perBeam;   // change of the parameter per unit of a beam's s (lib/beam.glsl)
 };
 
 // Components of the direction are kept away from 0, so that 1 / direction stays finite. 1e-9 of a voxel per voxel is
@@ -28,5 +29,5 @@ Ray cameraRay(vec4 planePoint, vec4 planeX, vec4 planeY, vec4 eye, vec4 scale, v
   float len = length(along * spacing);
   vec3 direction = along / len;
   return Ray(origin, vec3(awayFromZero(direction.x), awayFromZero(direction.y), awayFromZero(direction.z)),
-             eye.w > 0.0f ? -len : -planePoint.w);
+             eye.w > 0.0f ? -len : -planePoint.w, len);
 }

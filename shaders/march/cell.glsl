@@ -13,13 +13,9 @@ const float kLargestLevel = 1e37f;
 // The level along the ray in a cell, as a polynomial in t - start, scaled so that the largest corner is about 1
 // (levels near the end of float would overflow), and times `side`.
 Cubic levelAlongRay(ivec3 cell, vec3 origin, vec3 direction, float start, float side) {
-  vec4 low = vec4(texelFetch(levelTexture, cell, 0).r, texelFetch(levelTexture, cell + ivec3(1, 0, 0), 0).r,
-                  texelFetch(levelTexture, cell + ivec3(0, 1, 0), 0).r,
-                  texelFetch(levelTexture, cell + ivec3(1, 1, 0), 0).r);
-  vec4 high = vec4(texelFetch(levelTexture, cell + ivec3(0, 0, 1), 0).r,
-                   texelFetch(levelTexture, cell + ivec3(1, 0, 1), 0).r,
-                   texelFetch(levelTexture, cell + ivec3(0, 1, 1), 0).r,
-                   texelFetch(levelTexture, cell + ivec3(1, 1, 1), 0).r);
+  vec2 between = (vec2(cell.xy) + 1.0f) / vec2(frame.gridSize.xy);  // the corner that the four texels share
+  vec4 low = textureGather(levelTexture, vec3(between, float(cell.z))).wzxy;
+  vec4 high = textureGather(levelTexture, vec3(between, float(cell.z + 1))).wzxy;
   vec4 largest4 = max(abs(low), abs(high));
   float largest = max(max(largest4.x, largest4.y), max(largest4.z, largest4.w));
   float normalise = side / clamp(largest, kSmallestLevel, kLargestLevel);

@@ -6,20 +6,22 @@
 // keeps differences of levels near the end of float finite.
 const float kOverflowGuard = 0.25f;
 
-vec3 gradientAt(sampler3D field, vec3 position) {
+// Trilinear: two bilinear taps, one per layer.
+float fieldAt(sampler2DArray field, vec3 position) {
   vec3 size = vec3(frame.gridSize.xyz);
+  vec2 at = (position.xy + 0.5f) / size.xy;
+  float layer = min(floor(position.z), size.z - 2.0f);
+  return kOverflowGuard *
+         mix(texture(field, vec3(at, layer)).r, texture(field, vec3(at, layer + 1.0f)).r, position.z - layer);
+}
+
+vec3 gradientAt(sampler2DArray field, vec3 position) {
   vec3 before = max(position - 1.0f, vec3(0.0f));
-  vec3 after = min(position + 1.0f, size - 1.0f);
-  vec3 texel = 1.0f / size;
-  vec3 at = (position + 0.5f) * texel;
-  vec3 lower = (before + 0.5f) * texel;
-  vec3 upper = (after + 0.5f) * texel;
-  vec3 difference = kOverflowGuard * vec3(texture(field, vec3(upper.x, at.y, at.z)).r,
-                                          texture(field, vec3(at.x, upper.y, at.z)).r,
-                                          texture(field, vec3(at.x, at.y, upper.z)).r) -
-                    kOverflowGuard * vec3(texture(field, vec3(lower.x, at.y, at.z)).r,
-                                          texture(field, vec3(at.x, lower.y, at.z)).r,
-                                          texture(field, vec3(at.x, at.y, lower.z)).r);
+  vec3 after = min(position + 1.0f, vec3(frame.gridSize.xyz - 1));
+  vec3 difference = vec3(fieldAt(field, vec3(after.x, position.yz)) - fieldAt(field, vec3(before.x, position.yz)),
+                         fieldAt(field, vec3(position.x, after.y, position.z)) -
+                             fieldAt(field, vec3(position.x, before.y, position.z)),
+                         fieldAt(field, vec3(position.xy, after.z)) - fieldAt(field, vec3(position.xy, before.z)));
   return difference / ((after - before) * frame.scale.xyz);
 }
 

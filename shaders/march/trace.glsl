@@ -4,7 +4,12 @@
 // and in each cell that the surface may pass it solves the exact cubic. No iteration limit is needed: every turn leaves
 // at least one cell behind, and a ray crosses fewer than size.x + size.y + size.z cells.
 //
+// The ray starts where the beam of its block stopped (beam.frag): so far there is neither surface nor solid.
+//
 // A ray that begins at the eye inside the solid looks for the way out: it sees the surface, or the cap, from within.
+
+// In smallest spacings: far more than rounding can move where a beam stopped, far less than a leap.
+const float kBeamMargin = 0.01f;
 
 bool isWithin(ivec3 cell, ivec3 lastCell) { return cell == clamp(cell, ivec3(0), lastCell); }
 
@@ -14,12 +19,14 @@ Hit trace(Ray ray) {
   vec3 direction = ray.direction;
   vec3 inverse = 1.0f / direction;
   BoxSpan span = boxSpan(ray.origin, inverse, high);
-  float begin = max(span.enter, ray.start);
+  float beam = texelFetch(beamTexture, ivec2(gl_FragCoord.xy) / kBeamBlock, 0).r;
+  float clear = max(ray.start, beam * ray.perBeam - kBeamMargin);
+  float begin = max(span.enter, clear);
   if (!(span.leave > begin)) return miss;
 
   // From here on the ray starts where it enters the box (t = 0), which keeps float positions exact to about 1e-7 size.
   vec3 origin = clamp(ray.origin + begin * direction, vec3(0.0f), high);
-  bool fromFace = span.enter >= ray.start;
+  bool fromFace = span.enter >= clear;
   if (fromFace) origin[span.enterAxis] = direction[span.enterAxis] > 0.0f ? 0.0f : high[span.enterAxis];
   float end = span.leave - begin;
   ivec3 lastCell = frame.gridSize.xyz - 2;

@@ -1,5 +1,6 @@
 set(gl "${CMAKE_CURRENT_LIST_DIR}")
 isolume_test(test_gl
+  ${gl}/beam_test.cpp
   ${gl}/camera_test.cpp
   ${gl}/clearance_test.cpp
   ${gl}/context_test.cpp
