@@ -7,3 +7,9 @@ isolume_test(test_sweep
   unit/layout_test.cpp
   support/plain_sweep.cpp
   LIBS isolume_sweep hwy::hwy)
+isolume_test(test_closest
+  unit/closest_test.cpp
+  unit/closest_pass_test.cpp
+  unit/closest_degenerate_test.cpp
+  support/plain_closest.cpp
+  LIBS isolume_sweep hwy::hwy)

@@ -1,0 +1,25 @@
+// Carries closest points through the whole grid: two passes over its z planes, up and then down.
+//
+// A candidate for a sample is a neighbour's offset plus the step to that neighbour; it replaces the sample's own if its
+// square is strictly smaller (ties keep the old one, so the order below is the tie rule). Per plane, in this order:
+//   1. nine candidates from the plane before, dy = -1, 0, 1 outermost, dx = -1, 0, 1 inside;
+//   2. two copies of the plane: in one, rows in rising y take three candidates (dx = -1, 0, 1) each from the row
+//   before;
+//      in the other, rows in falling y; then the second copy's point replaces the first's where it is strictly nearer;
+//   3. in each row, rising x takes one candidate from x - 1, then falling x one from x + 1.
+// Closest points on a grid travel almost without turning back, so two passes come within a few thousandths of a voxel
+// of iterating to convergence (measured in tests/unit/closest_pass_test.cpp). After [Danielsson80] (vector distance
+// transform by raster scans), with a start of subvoxel points instead of voxel centres.
+//
+// Cost: 2 (9 + 6 + 2) candidates per voxel, SIMD along x (16 rows side by side in step 3), O(nx ny) scratch. Threads
+// share rows in steps 1 and 3, and the two copies in step 2. Bitwise the same for any number of lanes and threads.
+#pragma once
+
+#include "offset_field.h"
+
+namespace isolume {
+
+/// One round: both passes.
+void carryOffsets(OffsetField& field);
+
+}  // namespace isolume

@@ -1,0 +1,20 @@
+// The inner loops of the plane pass (plane_pass.h), in SIMD.
+#pragma once
+
+#include "padded_plane.h"
+
+namespace isolume {
+
+/// Step 1 for row y of `plane`, which holds the samples' own offsets: candidates from `before`, which lies at step dz.
+void takeFromPlane(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int y, PaddedPlane& plane);
+
+/// One half of step 2: rows first, first + dy, ... (`count` of them) each take candidates from the row before, y - dy.
+void takeFromRows(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy, int count);
+
+/// The rest of step 2 and step 3 for rows y to y + kRowGroup - 1: the nearer of `plane` and `other`, then along x.
+void takeAlongRows(const PaddedPlane& other, float stepX, int nx, int y, PaddedPlane& plane);
+
+/// squaredLength, square root and sign for a run of samples: overwrites x by the distance, negative where level > 0.
+void offsetsToDistance(float* x, const float* y, const float* z, const float* level, float unit, std::size_t count);
+
+}  // namespace isolume
