@@ -1,22 +1,26 @@
 #include "closest_point.h"
 
-#include <array>
-#include <limits>
+#include <algorithm>
+
+#include "block_crossings.h"
 
 namespace isolume {
 namespace {
 
-constexpr int kTangentSteps = 4;     // contraction (distance * curvature)^4: .01 for .3, and most stop after two
-constexpr int kProjections = 5;      // Newton's method doubles the digits; a linear f needs one step and one check
+constexpr int kSteps = 8;            // Newton's method doubles the digits: most stop after two
+constexpr int kProjections = 5;      // the same; a linear f needs one step and one check
 constexpr int kHalvings = 2;         // of a tangential step that led further away
-constexpr double kSettled = 1e-4;    // a tangential step this short moves the distance by less than kOnSurface
+constexpr double kSettled = 1e-6;    // a step t this short is not worth it: it shortens the distance d by t^2 / (2 d)
 constexpr double kLongestJump = 3;   // a projection longer than this, in smallest spacings, has lost its sheet
 constexpr double kWorthTrying = .9;  // of the best distance: the tangent plane of another start must be this near
+// Another start belongs to the sheet already found if it leaves the tangent plane there by less than this slope. A
+// sphere of radius 4 spacings leaves its own plane by less within two spacings.
+constexpr double kSameSheet = .25;
 
 double squared(glm::dvec3 v) { return glm::dot(v, v); }
 
 // Drops the parts of `direction` that lead out of the box at `position`.
-glm::dvec3 alongBorder(const LevelInterpolant& level, glm::dvec3 position, glm::dvec3 direction) {
+inline glm::dvec3 alongBorder(const LevelInterpolant& level, glm::dvec3 position, glm::dvec3 direction) {
   for (int axis = 0; axis < 3; ++axis) {
     const bool low = position[axis] <= 0 && direction[axis] < 0;
     const bool high = position[axis] >= level.level.size[axis] - 1 && direction[axis] > 0;
@@ -25,89 +29,102 @@ glm::dvec3 alongBorder(const LevelInterpolant& level, glm::dvec3 position, glm::
   return direction;
 }
 
-glm::dvec3 clampToBox(const LevelInterpolant& level, glm::dvec3 position) {
-  return glm::clamp(position, glm::dvec3(0), glm::dvec3(level.level.size - 1));
+// A trial point of the surface and what the interpolant says there.
+struct Foot {
+  glm::dvec3 offset{0};
+  glm::dvec3 position{0};
+  LevelAtPoint level;
+};
+
+Foot footAt(const LevelInterpolant& level, glm::dvec3 origin, glm::dvec3 offset) {
+  Foot foot;
+  foot.position = glm::min(glm::max(origin + offset * level.inverse, glm::dvec3(0)), level.last);
+  foot.offset = (foot.position - origin) * level.step;
+  foot.level = level.at(foot.position);
+  return foot;
 }
 
-// Newton onto the surface; on success `offset` lies on it.
-bool project(const LevelInterpolant& level, glm::dvec3 origin, glm::dvec3& offset) {
+// Newton onto the surface, from `offset`.
+bool project(const LevelInterpolant& level, glm::dvec3 origin, glm::dvec3 offset, Foot& foot) {
   for (int i = 0; i < kProjections; ++i) {
-    const glm::dvec3 position = clampToBox(level, origin + offset / level.step);
-    offset = (position - origin) * level.step;
-    const LevelAtPoint here = level.at(position);
+    foot = footAt(level, origin, offset);
+    const LevelAtPoint& here = foot.level;
     const double steepness = squared(here.gradient);
     if (!here.mixed || !(steepness > 0)) return false;
     if (here.value * here.value <= kOnSurface * kOnSurface * steepness) return true;
-    const double sign = here.value > 0 ? -1 : 1;
-    const glm::dvec3 direction = alongBorder(level, position, sign * here.gradient);
+    const glm::dvec3 direction = alongBorder(level, foot.position, here.value > 0 ? -here.gradient : here.gradient);
     const double slope = squared(direction);
     if (!(slope > 0)) return false;
     const glm::dvec3 move = direction * (std::abs(here.value) / slope);
     if (!(squared(move) < kLongestJump * kLongestJump)) return false;
-    offset += move;
+    offset = foot.offset + move;
   }
   return false;
 }
 
-struct Corner {
-  glm::ivec3 at{0};
-  double level = 0;
-};
-
-// Nearest crossing of the edges of one cell, which lies in direction `towards` (+-1 each) of the sample.
-bool nearestCrossing(const LevelInterpolant& level, glm::ivec3 sample, glm::ivec3 towards, glm::dvec3& nearest) {
-  std::array<Corner, 8> corners;
-  int inside = 0;
-  for (int i = 0; i < 8; ++i) {
-    Corner& corner = corners[static_cast<std::size_t>(i)];
-    corner.at = towards * glm::ivec3(i & 1, i >> 1 & 1, i >> 2);
-    const glm::ivec3 p = glm::clamp(sample + corner.at, glm::ivec3(0), level.level.size - 1);
-    corner.level = level.level(p.x, p.y, p.z);
-    inside += corner.level > 0 ? 1 : 0;
-  }
-  if (inside == 0 || inside == 8) return false;
-  double best = std::numeric_limits<double>::max();
-  for (int i = 0; i < 8; ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      if ((i >> axis & 1) != 0) continue;
-      const Corner& a = corners[static_cast<std::size_t>(i)];
-      const Corner& b = corners[static_cast<std::size_t>(i | 1 << axis)];
-      if ((a.level > 0) == (b.level > 0)) continue;
-      glm::dvec3 crossing = glm::dvec3(a.at) * level.step;
-      crossing[axis] += towards[axis] * level.step[axis] * (a.level / (a.level - b.level));
-      if (squared(crossing) < best) {
-        best = squared(crossing);
-        nearest = crossing;
-      }
-    }
+// The step dp of Newton's method; false where the matrix is not positive (v beyond the centre of curvature). With
+// A = adj(I + m H): dp = -(A o + m' A g) / det, m' = (f det - g . A o) / (g . A g), o = p - v.
+bool newtonStep(const Foot& foot, double steepness, glm::dvec3& step) {
+  const glm::dvec3 g = foot.level.gradient;
+  const glm::dvec3 o = foot.offset;
+  const glm::dvec3 h = foot.level.twist * (-glm::dot(o, g) / steepness);
+  const glm::dvec3 diagonal = 1.0 - h * h;
+  const glm::dvec3 off(h.y * h.z - h.x, h.x * h.z - h.y, h.x * h.y - h.z);  // yz, xz, xy
+  const auto adjugate = [&](glm::dvec3 u) {
+    return glm::dvec3(diagonal.x * u.x + off.z * u.y + off.y * u.z, off.z * u.x + diagonal.y * u.y + off.x * u.z,
+                      off.y * u.x + off.x * u.y + diagonal.z * u.z);
+  };
+  const double determinant = diagonal.x + h.z * off.z + h.y * off.y;
+  const glm::dvec3 adjugateO = adjugate(o);
+  const glm::dvec3 adjugateG = adjugate(g);
+  const double along = glm::dot(g, adjugateG);
+  if (!(determinant > 0) || !(along > 0)) return false;
+  const double multiplier = (foot.level.value * determinant - glm::dot(g, adjugateO)) / along;
+  step = -(adjugateO + multiplier * adjugateG) / determinant;
   return true;
+}
+
+// refineOffset() from the foot of a known point.
+bool refineFoot(const LevelInterpolant& level, glm::dvec3 origin, Foot& foot) {
+  Foot trial;
+  bool moved = false;
+  for (int i = 0; i < kSteps; ++i) {
+    const LevelAtPoint& here = foot.level;
+    const double steepness = squared(here.gradient);
+    if (!here.mixed || !(steepness > 0)) break;
+    const glm::dvec3 towardsFoot = here.gradient * (glm::dot(foot.offset, here.gradient) / steepness) - foot.offset;
+    const glm::dvec3 tangential = alongBorder(level, foot.position, towardsFoot);
+    const double gain = squared(tangential) / 2;  // times the distance
+    if (gain * gain <= kSettled * kSettled * squared(foot.offset)) break;
+    const auto closerBy = [&](glm::dvec3 step) {
+      return project(level, origin, foot.offset + step, trial) && squared(trial.offset) < squared(foot.offset);
+    };
+    glm::dvec3 step(0);
+    bool closer = newtonStep(foot, steepness, step) && closerBy(alongBorder(level, foot.position, step));
+    double share = 1;
+    for (int half = 0; half <= kHalvings && !closer; ++half, share /= 2) closer = closerBy(share * tangential);
+    if (!closer) break;
+    foot = trial;
+    moved = true;
+  }
+  return moved;
+}
+
+// Does `point` lie on the tangent plane at `foot`, as seen from there?
+bool onTangentPlane(const Foot& foot, glm::dvec3 point) {
+  const glm::dvec3 across = point - foot.offset;
+  const double along = glm::dot(across, foot.level.gradient);
+  return along * along <= kSameSheet * kSameSheet * squared(across) * squared(foot.level.gradient);
 }
 
 }  // namespace
 
 bool refineOffset(const LevelInterpolant& level, glm::ivec3 sample, glm::dvec3& offset) {
   const glm::dvec3 origin(sample);
-  bool moved = false;
-  for (int i = 0; i < kTangentSteps; ++i) {
-    const glm::dvec3 position = clampToBox(level, origin + offset / level.step);
-    const LevelAtPoint here = level.at(position);
-    const double steepness = squared(here.gradient);
-    if (!here.mixed || !(steepness > 0)) break;
-    const glm::dvec3 tangential =
-        alongBorder(level, position, here.gradient * (glm::dot(offset, here.gradient) / steepness) - offset);
-    if (squared(tangential) < kSettled * kSettled) break;
-    bool closer = false;
-    double share = 1;
-    for (int half = 0; half <= kHalvings && !closer; ++half, share /= 2) {
-      glm::dvec3 trial = offset + share * tangential;
-      if (!project(level, origin, trial) || !(squared(trial) < squared(offset))) continue;
-      offset = trial;
-      closer = true;
-    }
-    if (!closer) break;
-    moved = true;
-  }
-  return moved;
+  Foot foot = footAt(level, origin, offset);
+  if (!refineFoot(level, origin, foot)) return false;
+  offset = foot.offset;
+  return true;
 }
 
 bool seedOffset(const LevelInterpolant& level, glm::ivec3 sample, glm::dvec3& offset) {
@@ -118,33 +135,30 @@ bool seedOffset(const LevelInterpolant& level, glm::ivec3 sample, glm::dvec3& of
     offset = glm::dvec3(0);
     return true;
   }
-  std::array<glm::dvec3, 8> starts;
-  std::size_t count = 0;
-  std::size_t nearest = 0;
-  for (int i = 0; i < 8; ++i) {
-    const glm::ivec3 towards(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    const glm::ivec3 far = sample + towards;
-    bool within = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool flat = size[axis] == 1 && towards[axis] == 1;  // one layer of cells without thickness
-      within = within && (flat || (far[axis] >= 0 && far[axis] < size[axis]));
-    }
-    if (!within || !nearestCrossing(level, sample, towards, starts[count])) continue;
-    if (squared(starts[count]) < squared(starts[nearest])) nearest = count;
-    ++count;
-  }
-  if (count == 0) return false;
-  offset = starts[nearest];
-  refineOffset(level, sample, offset);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i == nearest) continue;
-    glm::dvec3 other = starts[i];
-    const LevelAtPoint there = level.at(glm::dvec3(sample) + other / level.step);
-    const double toPlane = glm::dot(other, there.gradient);
-    const double best = kWorthTrying * kWorthTrying * squared(offset);
-    if (toPlane * toPlane >= best * squared(there.gradient) && squared(there.gradient) > 0) continue;
-    refineOffset(level, sample, other);
-    if (squared(other) < squared(offset)) offset = other;
+  BlockCrossings crossings;
+  findCrossings(level, sample, crossings);
+  const auto nearest = static_cast<std::size_t>(std::min_element(crossings.squared.begin(), crossings.squared.end()) -
+                                                crossings.squared.begin());
+  if (crossings.nearest[nearest] == kNoCrossing) return false;
+  const glm::dvec3 origin(sample);
+  // Cells share their edges, so many starts are the same point.
+  unsigned long long tried = 1ULL << crossings.nearest[nearest];
+  offset = crossings.offset[static_cast<std::size_t>(crossings.nearest[nearest])];
+  Foot best = footAt(level, origin, offset);
+  if (refineFoot(level, origin, best)) offset = best.offset;
+  for (const int start : crossings.nearest) {
+    if (start == kNoCrossing || (tried >> start & 1) != 0) continue;
+    tried |= 1ULL << start;
+    const glm::dvec3 other = crossings.offset[static_cast<std::size_t>(start)];
+    if (squared(best.level.gradient) > 0 && onTangentPlane(best, other)) continue;
+    Foot foot = footAt(level, origin, other);
+    const double toPlane = glm::dot(other, foot.level.gradient);
+    const double steepness = squared(foot.level.gradient);
+    if (steepness > 0 && toPlane * toPlane >= kWorthTrying * kWorthTrying * squared(offset) * steepness) continue;
+    const glm::dvec3 found = refineFoot(level, origin, foot) ? foot.offset : other;
+    if (!(squared(found) < squared(offset))) continue;
+    offset = found;
+    best = foot;
   }
   return true;
 }

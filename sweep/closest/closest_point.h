@@ -3,13 +3,13 @@
 // Offsets are from the sample, in units of the smallest spacing. What is returned is always a point of the surface (to
 // kOnSurface), so its distance is an upper bound of the true one; near a smooth surface it is the true one.
 //
-// Solves min |p - v| subject to f(p) = 0 by alternating a step along the tangent plane to the foot of v,
-//   t = w - (w . g) g / |g|^2,  w = v - p,  g = grad f(p),
-// with Newton steps back onto the surface, p -= f g / |g|^2. A step counts only if it ends on the surface and closer
-// than before. It contracts by about (distance * curvature) per step, and an error e along the surface changes the
-// distance by e^2 / (2 distance) alone. Where it cannot move (saddles with g = 0, creases between cells, the border of
-// the grid) the last point found stays. On the border of the grid the steps run along the border.
-// A few hundred nanoseconds per sample; thread-safe.
+// Solves min |p - v| subject to f(p) = 0 by Newton's method on p - v + m grad f(p) = 0, f(p) = 0, for p and m:
+//   (I + m H) dp + m' g = -(p - v),  g . dp = -f,  m = -(p - v) . g / |g|^2,  g = grad f(p), H = Hessian of f,
+// each step followed by steps back onto the surface, p -= f g / |g|^2. A step counts only if it ends on the surface and
+// closer than before; if it does not, steps along the tangent plane towards the foot of v are tried, shorter each time.
+// An error e along the surface changes the distance by e^2 / (2 distance) alone. Where it cannot move (saddles with
+// g = 0, creases between cells) the last point found stays. On the border of the grid the steps run along the border.
+// A fraction of a microsecond per sample; thread-safe.
 #pragma once
 
 #include <glm/vec3.hpp>

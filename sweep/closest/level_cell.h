@@ -16,49 +16,53 @@ namespace isolume {
 struct LevelAtPoint {
   double value = 0;
   glm::dvec3 gradient{0};
-  bool mixed = false;  ///< the cell has corners inside and outside: only such cells hold surface
+  glm::dvec3 twist{0};  ///< second derivatives yz, xz, xy; those along one axis are 0
+  bool mixed = false;   ///< the cell has corners inside and outside: only such cells hold surface
 };
 
 struct LevelInterpolant {
   GridView<const float> level;
-  glm::dvec3 step{1};  ///< spacing in units of the smallest
+  glm::dvec3 step{1};     ///< spacing in units of the smallest
+  glm::dvec3 inverse{1};  ///< 1 / step
+  glm::dvec3 last{0};     ///< position of the last sample
+
+  LevelInterpolant(GridView<const float> level_, double smallestSpacing)
+      : level(level_), step(level_.spacing / smallestSpacing), inverse(1.0 / step), last(level_.size - 1) {}
 
   /// `position` within the box of the samples.
   LevelAtPoint at(glm::dvec3 position) const {
-    std::ptrdiff_t stride[3] = {1, level.strideY(), level.strideZ()};
-    double t[3];
-    std::ptrdiff_t first = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int cell = std::clamp(static_cast<int>(position[axis]), 0, std::max(level.size[axis] - 2, 0));
-      first += cell * stride[axis];
-      if (level.size[axis] == 1) stride[axis] = 0;
-      t[axis] = position[axis] - cell;
-    }
-    const float* corner = level.data + first;
-    const float* cornerY = corner + stride[1];
-    const float* cornerZ = corner + stride[2];
-    const float* cornerYz = cornerY + stride[2];
-    const std::ptrdiff_t sx = stride[0];
-    const float c[8] = {corner[0],  corner[sx],  cornerY[0],  cornerY[sx],
-                        cornerZ[0], cornerZ[sx], cornerYz[0], cornerYz[sx]};
-    const auto [low, high] = std::minmax({c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]});
+    const int x = std::min(static_cast<int>(position.x), std::max(level.size.x - 2, 0));
+    const int y = std::min(static_cast<int>(position.y), std::max(level.size.y - 2, 0));
+    const int z = std::min(static_cast<int>(position.z), std::max(level.size.z - 2, 0));
+    const std::ptrdiff_t nextX = level.size.x > 1 ? 1 : 0;
+    const std::ptrdiff_t nextY = level.size.y > 1 ? level.strideY() : 0;
+    const std::ptrdiff_t nextZ = level.size.z > 1 ? level.strideZ() : 0;
+    const float* c00 = level.data + (z * level.strideZ() + y * level.strideY() + x);
+    const float* c10 = c00 + nextY;
+    const float* c01 = c00 + nextZ;
+    const float* c11 = c10 + nextZ;
+    const double tx = position.x - x, ty = position.y - y, tz = position.z - z;
 
-    double along[4], slope[4];  // along x on the four edges
-    for (int e = 0; e < 4; ++e) {
-      slope[e] = static_cast<double>(c[2 * e + 1]) - c[2 * e];
-      along[e] = c[2 * e] + t[0] * slope[e];
-    }
-    const double slopeX0 = slope[0] + t[1] * (slope[1] - slope[0]);
-    const double slopeX1 = slope[2] + t[1] * (slope[3] - slope[2]);
-    const double slopeY0 = along[1] - along[0];
-    const double slopeY1 = along[3] - along[2];
-    const double value0 = along[0] + t[1] * slopeY0;
-    const double value1 = along[2] + t[1] * slopeY1;
+    const float c[8] = {c00[0], c00[nextX], c10[0], c10[nextX], c01[0], c01[nextX], c11[0], c11[nextX]};
+    int inside = 0;
+    for (const float corner : c) inside += corner > 0 ? 1 : 0;
+    // Along x on the four edges, then along y on two faces, then along z.
+    const double slope00 = static_cast<double>(c[1]) - c[0], slope10 = static_cast<double>(c[3]) - c[2];
+    const double slope01 = static_cast<double>(c[5]) - c[4], slope11 = static_cast<double>(c[7]) - c[6];
+    const double on00 = c[0] + tx * slope00, on10 = c[2] + tx * slope10;
+    const double on01 = c[4] + tx * slope01, on11 = c[6] + tx * slope11;
+    const double twist0 = slope10 - slope00, twist1 = slope11 - slope01;
+    const double slopeX0 = slope00 + ty * twist0, slopeX1 = slope01 + ty * twist1;
+    const double slopeY0 = on10 - on00, slopeY1 = on11 - on01;
+    const double value0 = on00 + ty * slopeY0, value1 = on01 + ty * slopeY1;
+    const double twistXz = slopeX1 - slopeX0, twistYz = slopeY1 - slopeY0, slopeZ = value1 - value0;
+
     LevelAtPoint result;
-    result.value = value0 + t[2] * (value1 - value0);
-    result.gradient =
-        glm::dvec3(slopeX0 + t[2] * (slopeX1 - slopeX0), slopeY0 + t[2] * (slopeY1 - slopeY0), value1 - value0) / step;
-    result.mixed = low <= 0 && high > 0;
+    result.value = value0 + tz * slopeZ;
+    result.gradient = glm::dvec3(slopeX0 + tz * twistXz, slopeY0 + tz * twistYz, slopeZ) * inverse;
+    result.twist = glm::dvec3(twistYz * inverse.y * inverse.z, twistXz * inverse.x * inverse.z,
+                              (twist0 + tz * (twist1 - twist0)) * inverse.x * inverse.y);
+    result.mixed = inside > 0 && inside < 8;
     return result;
   }
 };

@@ -119,7 +119,7 @@ std::vector<NewSample> growPlane(const LevelInterpolant& level, const OffsetFiel
 }  // namespace
 
 std::size_t startOffsets(GridView<const float> level, int layers, OffsetField& field) {
-  const LevelInterpolant interpolant{level, level.spacing / smallestSpacing(level.spacing)};
+  const LevelInterpolant interpolant(level, smallestSpacing(level.spacing));
   const auto planeCount = static_cast<std::size_t>(level.size.z);
   std::vector<PlaneList> newest(planeCount);
   parallelFor(planeCount, [&](std::size_t z) { newest[z] = seedPlane(interpolant, static_cast<int>(z), field); });

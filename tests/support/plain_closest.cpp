@@ -24,7 +24,8 @@ struct Passes {
   }
   void takeThree(const glm::vec3* row, int x, glm::vec3 step, glm::vec3& own) const {
     for (int dx = -1; dx <= 1; ++dx)
-      if (x + dx >= 0 && x + dx < n.x) keepNearer(row[x + dx] + glm::vec3(dx * h.x, step.y, step.z), own);
+      if (x + dx >= 0 && x + dx < n.x)
+        keepNearer(row[x + dx] + glm::vec3(static_cast<float>(dx) * h.x, step.y, step.z), own);
   }
   void inPlane(int z) {
     const std::size_t perPlane = static_cast<std::size_t>(n.x) * n.y;
@@ -49,7 +50,7 @@ struct Passes {
         for (int x = 0; x < n.x; ++x)
           for (int dy = -1; dy <= 1; ++dy)
             if (y + dy >= 0 && y + dy < n.y)
-              takeThree(&offset[index(0, y + dy, z - dz)], x, {0, dy * h.y, -dz * h.z}, offset[index(x, y, z)]);
+              takeThree(&offset[index(0, y + dy, z - dz)], x, glm::vec3(0, dy, -dz) * h, offset[index(x, y, z)]);
       inPlane(z);
     }
   }
