@@ -58,6 +58,16 @@ bool project(const LevelInterpolant& level, glm::dvec3 origin, glm::dvec3 offset
     const glm::dvec3 move = direction * (std::abs(here.value) / slope);
     if (!(squared(move) < kLongestJump * kLongestJump)) return false;
     offset = foot.offset + move;
+    // A short last step needs no second look: within the cell the interpolant leaves its tangent plane by `bend` at
+    // most.
+    const double left = here.bend * squared(move);
+    if (slope < steepness || squared(move) > 1 || left * left > kOnSurface * kOnSurface * steepness) continue;
+    const glm::dvec3 position = origin + offset * level.inverse;
+    if (!level.sameCell(foot.position, position)) continue;
+    foot.offset = offset;
+    foot.position = position;
+    foot.level.value = 0;
+    return true;
   }
   return false;
 }

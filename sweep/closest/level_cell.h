@@ -17,6 +17,7 @@ struct LevelAtPoint {
   double value = 0;
   glm::dvec3 gradient{0};
   glm::dvec3 twist{0};  ///< second derivatives yz, xz, xy; those along one axis are 0
+  double bend = 0;      ///< bound on |f(p + m) - f(p) - m . gradient| / |m|^2 for |m| <= 1 within the cell
   bool mixed = false;   ///< the cell has corners inside and outside: only such cells hold surface
 };
 
@@ -28,6 +29,12 @@ struct LevelInterpolant {
 
   LevelInterpolant(GridView<const float> level_, double smallestSpacing)
       : level(level_), step(level_.spacing / smallestSpacing), inverse(1.0 / step), last(level_.size - 1) {}
+
+  /// Do both positions lie in one cell of the grid, the first one in the box of the samples?
+  static bool sameCell(glm::dvec3 a, glm::dvec3 b) {
+    return b.x >= 0 && b.y >= 0 && b.z >= 0 && static_cast<int>(a.x) == static_cast<int>(b.x) &&
+           static_cast<int>(a.y) == static_cast<int>(b.y) && static_cast<int>(a.z) == static_cast<int>(b.z);
+  }
 
   /// `position` within the box of the samples.
   LevelAtPoint at(glm::dvec3 position) const {
@@ -62,6 +69,8 @@ struct LevelInterpolant {
     result.gradient = glm::dvec3(slopeX0 + tz * twistXz, slopeY0 + tz * twistYz, slopeZ) * inverse;
     result.twist = glm::dvec3(twistYz * inverse.y * inverse.z, twistXz * inverse.x * inverse.z,
                               (twist0 + tz * (twist1 - twist0)) * inverse.x * inverse.y);
+    result.bend = std::abs(result.twist.x) + std::abs(result.twist.y) + std::abs(result.twist.z) +
+                  std::abs((twist1 - twist0) * inverse.x * inverse.y * inverse.z);
     result.mixed = inside > 0 && inside < 8;
     return result;
   }

@@ -49,7 +49,7 @@ PlaneList seedPlane(const LevelInterpolant& level, int z, OffsetField& field) {
   const std::size_t first = level.level.index(0, 0, z);
   clearPlane(field, first, voxelCount({size.x, size.y, 1}));
   PlaneList list;
-  std::vector<std::uint8_t> column(static_cast<std::size_t>(size.x) + 2);
+  std::vector<std::uint8_t> column(static_cast<std::size_t>(std::max(size.x, 1)) + 2);
   std::vector<std::uint8_t> signs(static_cast<std::size_t>(size.x));
   for (int y = 0; y < size.y; ++y) {
     joinSigns(level.level, y, z, column, signs);
