@@ -1,5 +1,6 @@
 #include "plane_pass.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "row_kernels.h"
@@ -32,9 +33,11 @@ class PlanePass {
     parallelFor(groups, [&](std::size_t group) {
       for (int y = static_cast<int>(group) * kRowGroup; y < rowEnd(group); ++y) {
         moveRow(z, y, true);
-        if (dz != 0) takeFromPlane(before_, -dz * step_.z, step_, size_.x, y, plane_);
-        for (int axis = 0; axis < 3; ++axis)
-          std::memcpy(copy_.row(axis, y), plane_.row(axis, y), sizeof(float) * PaddedPlane::roundUp(size_.x));
+        if (dz != 0) {
+          takeFromPlane(before_, static_cast<float>(-dz) * step_.z, step_, size_.x, y, plane_, copy_);
+        } else {
+          for (int axis = 0; axis < 3; ++axis) std::copy_n(plane_.row(axis, y), size_.x, copy_.row(axis, y));
+        }
       }
     });
     parallelFor(2, [&](std::size_t falling) {

@@ -59,7 +59,8 @@ HWY_INLINE void takeThree(const float* fromX, const float* fromY, const float* f
   keepNearer(candidate(1, dx), best);
 }
 
-void planeStep(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int y, PaddedPlane& plane) {
+void planeStep(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int y, PaddedPlane& plane,
+               PaddedPlane& copy) {
   const FloatTag d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto stepX = hn::Set(d, step.x);
@@ -73,8 +74,10 @@ void planeStep(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int 
     takeThree(rows[1][0] + x, rows[1][1] + x, rows[1][2] + x, stepX, hn::Zero(d), stepZ, best);
     takeThree(rows[2][0] + x, rows[2][1] + x, rows[2][2] + x, stepX, hn::Set(d, step.y), stepZ, best);
     store(best, y, x, plane);
+    store(best, y, x, copy);
   }
   plane.clearTail(y);
+  copy.clearTail(y);
 }
 
 void rowsStep(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy, int count) {
@@ -206,8 +209,9 @@ HWY_EXPORT(rowsStep);
 HWY_EXPORT(alongStep);
 HWY_EXPORT(distanceStep);
 
-void takeFromPlane(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int y, PaddedPlane& plane) {
-  HWY_DYNAMIC_DISPATCH(planeStep)(before, dz, step, nx, y, plane);
+void takeFromPlane(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int y, PaddedPlane& plane,
+                   PaddedPlane& copy) {
+  HWY_DYNAMIC_DISPATCH(planeStep)(before, dz, step, nx, y, plane, copy);
 }
 void takeFromRows(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy, int count) {
   HWY_DYNAMIC_DISPATCH(rowsStep)(plane, step, nx, first, dy, count);

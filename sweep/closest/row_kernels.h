@@ -6,7 +6,9 @@
 namespace isolume {
 
 /// Step 1 for row y of `plane`, which holds the samples' own offsets: candidates from `before`, which lies at step dz.
-void takeFromPlane(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int y, PaddedPlane& plane);
+/// Writes the result to `plane` and to `copy`.
+void takeFromPlane(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int y, PaddedPlane& plane,
+                   PaddedPlane& copy);
 
 /// One half of step 2: rows first, first + dy, ... (`count` of them) each take candidates from the row before, y - dy.
 void takeFromRows(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy, int count);

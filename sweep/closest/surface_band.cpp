@@ -1,5 +1,6 @@
 #include "surface_band.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -17,26 +18,56 @@ struct NewSample {
   glm::vec3 offset{0};
 };
 
-// Where the signs of a plane lie: one byte per sample, bit 0 inside, bit 1 outside, joined over x - 1, x, x + 1 and
-// y - 1, y, y + 1.
+// The signs in the 3 x 3 x 3 samples around a sample: one byte, bit 0 inside, bit 1 outside.
 constexpr std::uint8_t kInsideBit = 1;
 constexpr std::uint8_t kOutsideBit = 2;
 constexpr std::uint8_t kBothBits = kInsideBit | kOutsideBit;
 
-// Joins the signs of the nine rows around row (y, z) into `signs`, then those of x - 1 and x + 1.
-void joinSigns(GridView<const float> level, int y, int z, std::vector<std::uint8_t>& column,
-               std::vector<std::uint8_t>& signs) {
-  const int nx = level.size.x;
-  std::fill(column.begin(), column.end(), std::uint8_t{0});
-  for (int dz = -1; dz <= 1; ++dz)
-    for (int dy = -1; dy <= 1; ++dy) {
-      if (y + dy < 0 || y + dy >= level.size.y || z + dz < 0 || z + dz >= level.size.z) continue;
-      const float* row = level.data + (z + dz) * level.strideZ() + (y + dy) * level.strideY();
-      std::uint8_t* to = column.data() + 1;
-      for (int x = 0; x < nx; ++x) to[x] = static_cast<std::uint8_t>(to[x] | (row[x] > 0 ? kInsideBit : kOutsideBit));
+// The signs around every sample of one plane, row by row in rising y: each row of levels is read once per plane.
+class SignRows {
+ public:
+  SignRows(GridView<const float> level, int z) : level_(level), z_(z) {
+    for (Row& row : joined_) row.assign(voxelCount({level.size.x, 1, 1}), 0);
+    around_ = joined_[0];
+    padded_.assign(around_.size() + 2, 0);
+    joinPlanes(0);
+  }
+
+  // To be called for y = 0, 1, 2, ... in turn.
+  const std::uint8_t* next(int y) {
+    joinPlanes(y + 1);
+    const Row& a = joined_[0];
+    const Row& b = joined_[1];
+    const Row& c = joined_[2];
+    std::uint8_t* middle = padded_.data() + 1;
+    for (std::size_t x = 0; x < a.size(); ++x) middle[x] = static_cast<std::uint8_t>(a[x] | b[x] | c[x]);
+    for (std::size_t x = 0; x < a.size(); ++x) {
+      around_[x] = static_cast<std::uint8_t>(padded_[x] | padded_[x + 1] | padded_[x + 2]);
     }
-  for (int x = 0; x < nx; ++x) signs[x] = static_cast<std::uint8_t>(column[x] | column[x + 1] | column[x + 2]);
-}
+    return around_.data();
+  }
+
+ private:
+  using Row = std::vector<std::uint8_t>;
+
+  // Joins row y of the planes z - 1, z, z + 1; a row beyond the grid has no signs.
+  void joinPlanes(int y) {
+    Row& row = joined_[static_cast<std::size_t>(y % 3)];
+    std::fill(row.begin(), row.end(), std::uint8_t{0});
+    if (y >= level_.size.y) return;
+    for (int z = std::max(z_ - 1, 0); z <= std::min(z_ + 1, level_.size.z - 1); ++z) {
+      const float* from = level_.data + z * level_.strideZ() + y * level_.strideY();
+      for (std::size_t x = 0; x < row.size(); ++x) {
+        row[x] = static_cast<std::uint8_t>(row[x] | (from[x] > 0 ? kInsideBit : kOutsideBit));
+      }
+    }
+  }
+
+  GridView<const float> level_;
+  int z_;
+  std::array<Row, 3> joined_;
+  Row padded_, around_;
+};
 
 void clearPlane(OffsetField& field, std::size_t first, std::size_t count) {
   std::fill_n(field.component[0].data() + first, count, kUnsetOffset);
@@ -49,10 +80,9 @@ PlaneList seedPlane(const LevelInterpolant& level, int z, OffsetField& field) {
   const std::size_t first = level.level.index(0, 0, z);
   clearPlane(field, first, voxelCount({size.x, size.y, 1}));
   PlaneList list;
-  std::vector<std::uint8_t> column(static_cast<std::size_t>(std::max(size.x, 1)) + 2);
-  std::vector<std::uint8_t> signs(static_cast<std::size_t>(size.x));
+  SignRows rows(level.level, z);
   for (int y = 0; y < size.y; ++y) {
-    joinSigns(level.level, y, z, column, signs);
+    const std::uint8_t* signs = rows.next(y);
     const bool borderRow = y == 0 || z == 0 || y == size.y - 1 || z == size.z - 1;
     for (int x = 0; x < size.x; ++x) {
       const bool border = borderRow || x == 0 || x == size.x - 1;
