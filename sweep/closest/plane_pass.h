@@ -7,9 +7,10 @@
 //   before;
 //      in the other, rows in falling y; then the second copy's point replaces the first's where it is strictly nearer;
 //   3. in each row, rising x takes one candidate from x - 1, then falling x one from x + 1.
-// Closest points on a grid travel almost without turning back, so two passes come within a few thousandths of a voxel
-// of iterating to convergence (measured in tests/unit/closest_pass_test.cpp). After [Danielsson80] (vector distance
-// transform by raster scans), with a start of subvoxel points instead of voxel centres.
+// Closest points travel almost without turning back, so that one round is nearly the fixed point: on a torus at 64^3 a
+// second one shortens the mean distance by 3e-5 voxels and no distance by more than .07. Neighbours along x differ by
+// at most the spacing; along y and z the tests find at most a hundredth more. After [Danielsson80] (vector distance
+// transform by raster scans), with subvoxel points instead of voxel centres.
 //
 // Cost: 2 (9 + 6 + 2) candidates per voxel, SIMD along x (16 rows side by side in step 3), O(nx ny) scratch. Threads
 // share rows in steps 1 and 3, and the two copies in step 2. Bitwise the same for any number of lanes and threads.
