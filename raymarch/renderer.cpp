@@ -121,14 +121,14 @@ struct Renderer::Impl {
   }
 
   // The rectangles, each a triangle that covers the viewport, cut by the scissor.
-  void draw(glm::vec2 pixelOrigin, const std::vector<PixelRect>& rects) const {
+  void draw(glm::vec2 pixelOrigin, const std::vector<TileRect>& rects) const {
     constexpr GLint kPixelOrigin = 0;
     constexpr int kTriangle = 3;
     glUseProgram(program.name());
     glBindTextureUnit(kBeamUnit, beams.texture());
     glProgramUniform2f(program.name(), kPixelOrigin, pixelOrigin.x, pixelOrigin.y);
     glEnable(GL_SCISSOR_TEST);
-    for (const PixelRect& rect : rects) {
+    for (const TileRect& rect : rects) {
       glScissor(rect.low.x, rect.low.y, rect.high.x - rect.low.x, rect.high.y - rect.low.y);
       glDrawArrays(GL_TRIANGLES, 0, kTriangle);
     }
@@ -139,7 +139,7 @@ struct Renderer::Impl {
   // Colour (sum of the samples) and layers of one tile. One sample is its own centre; of several, the centre's layers
   // are drawn on their own.
   void drawTile(glm::vec2 pixelOrigin, glm::ivec2 size, const RenderSettings& settings, glm::vec4 background) {
-    const std::vector<PixelRect> rects = beams.trace(pixelOrigin, size);
+    const std::vector<TileRect> rects = beams.trace(pixelOrigin, size);
     const bool single = settings.samples == 1;
     if (single || settings.layers) {
       framebuffer.bind(size, single, settings.layers);
