@@ -9,6 +9,7 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "beams.h"
 #include "frame_uniforms.h"
@@ -63,7 +64,7 @@ void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::
                 const Camera& camera, const GridFrame& grid, bool ambient) {
   const glm::dvec3 forward = cameraAxes(camera).forward;
   const std::size_t count = normals.size();
-  if (ambient) frame.ambient.resize(count);
+  frame.ambient.resize(ambient ? count : 0);
   frame.normal.resize(count);
   frame.position.resize(count);
   frame.depth.resize(count);
@@ -168,12 +169,16 @@ void Renderer::upload(const SceneFields& fields) {
   if (impl_->scene.hasOctants() && !impl_->geometryTerms[0]) impl_->geometryTerms = uploadGeometryTerms();
 }
 
-Frame Renderer::render(const Camera& camera, const RenderSettings& settings) try {
+Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Frame storage) try {
   checkSettings(settings, impl_->scene);
   const shader::FrameUniforms uniforms = makeUniforms(camera, settings, impl_->scene);
   const glm::ivec2 size = settings.size;
   const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   Frame frame;
+  if (settings.layers)
+    frame = std::move(storage);
+  else
+    frame.color = std::move(storage.color);
   frame.size = size;
   frame.color.resize(count);
   std::vector<glm::vec4> normals(settings.layers ? count : 0), positions(settings.layers ? count : 0);

@@ -85,6 +85,21 @@ TEST(Light, TurnsWithTheWorld) {
   EXPECT_EQ(estimateAt({eaves().tracer, mirror}, settings, {}, point, 0).channels.value[0], 0);
 }
 
+TEST(Light, FollowsARotatedGrid) {
+  // A quarter turn takes the grid's x to the world's y: a light from the world's (0, 1, 2) is the grid's (1, 0, 2). The
+  // turn is not its own inverse, so a transposed matrix puts the light at the world's -y, where the slab hides it.
+  IntegrandSettings settings;
+  settings.integrand = Integrand::shadow;
+  settings.lightDirection = {0, 1, 2};
+  const ShadedPoint point = pointOn({kEdge - 2, 16, kFloor});
+  const glm::dmat3 turn(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
+  const ChannelEstimate got = estimateAt({eaves().tracer, turn}, settings, {}, point, 0).channels;
+  EXPECT_EQ(got.value[0], 1);
+  EXPECT_NEAR(got.value[1], 2 / std::sqrt(5.0), 1e-15);
+  settings.lightDirection = {0, -1, 2};
+  EXPECT_EQ(estimateAt({eaves().tracer, turn}, settings, {}, point, 0).channels.value[0], 0);
+}
+
 TEST(Bounce, FurnaceGivesOne) {
   // Albedo 1 under a white sky: as much light leaves as arrives, so that every path that escapes brings 1. In the
   // corner of floor and wall fewer than 6 of 10 rays meet the solid again: none of these stays for 64 bounces.
