@@ -12,13 +12,13 @@ namespace shader {
 #include "shaders/shared/beam_block.h"
 }
 
-std::vector<PixelRect> liveBlocks(const std::vector<float>& starts, glm::ivec2 blocks) {
-  std::vector<PixelRect> rects;
+std::vector<TileRect> liveBlocks(const std::vector<float>& starts, glm::ivec2 blocks) {
+  std::vector<TileRect> rects;
   std::size_t above = 0;  // rectangles from here on were added or continued by the row above
   for (int y = 0; y < blocks.y; ++y) {
     const float* row = &starts[static_cast<std::size_t>(y) * static_cast<std::size_t>(blocks.x)];
     const auto live = [row](int x) { return row[x] < shader::kBeamMissed; };
-    std::vector<PixelRect> runs;
+    std::vector<TileRect> runs;
     for (int x = 0; x < blocks.x;) {
       const int begin = x;
       while (x < blocks.x && live(x)) ++x;
@@ -26,7 +26,7 @@ std::vector<PixelRect> liveBlocks(const std::vector<float>& starts, glm::ivec2 b
         runs.push_back({shader::kBeamBlock * glm::ivec2(begin, y), shader::kBeamBlock * glm::ivec2(x, y + 1)});
       while (x < blocks.x && !live(x)) ++x;
     }
-    const auto sameColumns = [&runs](const std::vector<PixelRect>& all, std::size_t from) {
+    const auto sameColumns = [&runs](const std::vector<TileRect>& all, std::size_t from) {
       if (all.size() - from != runs.size()) return false;
       for (std::size_t i = 0; i < runs.size(); ++i)
         if (all[from + i].low.x != runs[i].low.x || all[from + i].high.x != runs[i].high.x) return false;
@@ -47,7 +47,7 @@ BeamPass::BeamPass() {
   program_ = buildProgram(beam.vertex, beam.fragment);
 }
 
-std::vector<PixelRect> BeamPass::trace(glm::vec2 pixelOrigin, glm::ivec2 tileSize) {
+std::vector<TileRect> BeamPass::trace(glm::vec2 pixelOrigin, glm::ivec2 tileSize) {
   const glm::ivec2 blocks = (tileSize + shader::kBeamBlock - 1) / shader::kBeamBlock;
   if (!starts_ || blocks.x > size_.x || blocks.y > size_.y) {
     size_ = glm::max(size_, blocks);

@@ -8,14 +8,14 @@
 
 namespace isolume {
 
-/// Pixels [low, high).
-struct PixelRect {
+/// Pixels [low, high) of a tile.
+struct TileRect {
   glm::ivec2 low{0}, high{0};
 };
 
 /// Rectangles that together cover each block with `starts` below kBeamMissed once and no other: runs of a row, joined
 /// with the same run of the row before. `starts`: row-major, one per block.
-std::vector<PixelRect> liveBlocks(const std::vector<float>& starts, glm::ivec2 blocks);
+std::vector<TileRect> liveBlocks(const std::vector<float>& starts, glm::ivec2 blocks);
 
 class BeamPass {
  public:
@@ -23,7 +23,7 @@ class BeamPass {
   /// Traces the beams of a tile; the caller has bound the frame's uniforms, the clearance and a vertex array.
   /// Afterwards texture() holds their starts, and the result is what remains to be drawn, with coordinates that may
   /// reach past the tile by less than a block. 4 bytes per block of kBeamBlock^2 pixels. Waits for the GPU.
-  std::vector<PixelRect> trace(glm::vec2 pixelOrigin, glm::ivec2 tileSize);
+  std::vector<TileRect> trace(glm::vec2 pixelOrigin, glm::ivec2 tileSize);
   GLuint texture() const { return starts_.name(); }
 
  private:

@@ -9,6 +9,7 @@
 #include <limits>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "beams.h"
 #include "frame_uniforms.h"
@@ -63,7 +64,7 @@ void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::
                 const Camera& camera, const GridFrame& grid, bool ambient) {
   const glm::dvec3 forward = cameraAxes(camera).forward;
   const std::size_t count = normals.size();
-  if (ambient) frame.ambient.resize(count);
+  frame.ambient.resize(ambient ? count : 0);
   frame.normal.resize(count);
   frame.position.resize(count);
   frame.depth.resize(count);
@@ -121,14 +122,14 @@ struct Renderer::Impl {
   }
 
   // The rectangles, each a triangle that covers the viewport, cut by the scissor.
-  void draw(glm::vec2 pixelOrigin, const std::vector<PixelRect>& rects) const {
+  void draw(glm::vec2 pixelOrigin, const std::vector<TileRect>& rects) const {
     constexpr GLint kPixelOrigin = 0;
     constexpr int kTriangle = 3;
     glUseProgram(program.name());
     glBindTextureUnit(kBeamUnit, beams.texture());
     glProgramUniform2f(program.name(), kPixelOrigin, pixelOrigin.x, pixelOrigin.y);
     glEnable(GL_SCISSOR_TEST);
-    for (const PixelRect& rect : rects) {
+    for (const TileRect& rect : rects) {
       glScissor(rect.low.x, rect.low.y, rect.high.x - rect.low.x, rect.high.y - rect.low.y);
       glDrawArrays(GL_TRIANGLES, 0, kTriangle);
     }
@@ -139,7 +140,7 @@ struct Renderer::Impl {
   // Colour (sum of the samples) and layers of one tile. One sample is its own centre; of several, the centre's layers
   // are drawn on their own.
   void drawTile(glm::vec2 pixelOrigin, glm::ivec2 size, const RenderSettings& settings, glm::vec4 background) {
-    const std::vector<PixelRect> rects = beams.trace(pixelOrigin, size);
+    const std::vector<TileRect> rects = beams.trace(pixelOrigin, size);
     const bool single = settings.samples == 1;
     if (single || settings.layers) {
       framebuffer.bind(size, single, settings.layers);
@@ -168,12 +169,16 @@ void Renderer::upload(const SceneFields& fields) {
   if (impl_->scene.hasOctants() && !impl_->geometryTerms[0]) impl_->geometryTerms = uploadGeometryTerms();
 }
 
-Frame Renderer::render(const Camera& camera, const RenderSettings& settings) try {
+Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Frame storage) try {
   checkSettings(settings, impl_->scene);
   const shader::FrameUniforms uniforms = makeUniforms(camera, settings, impl_->scene);
   const glm::ivec2 size = settings.size;
   const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   Frame frame;
+  if (settings.layers)
+    frame = std::move(storage);
+  else
+    frame.color = std::move(storage.color);
   frame.size = size;
   frame.color.resize(count);
   std::vector<glm::vec4> normals(settings.layers ? count : 0), positions(settings.layers ? count : 0);

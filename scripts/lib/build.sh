@@ -3,18 +3,20 @@
 
 say() { printf '%s\n' "$*"; }
 
-# Packages of scripts/packages.txt, without comments.
-package_list() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/scripts/packages.txt"; }
+# package_list FILE: packages of scripts/FILE, without comments.
+package_list() { sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/scripts/$1"; }
 
-# Installs the packages that are not there yet; touches nothing if there are none.
+# install_missing_packages [FILE]: installs the packages of scripts/FILE (default: packages.txt) that are not there yet;
+# touches nothing if there are none.
 install_missing_packages() {
+  local list=${1:-packages.txt}
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     say "This is not a Debian system, so nothing is installed. Isolume needs what these Debian 12 packages hold:" >&2
-    package_list >&2
+    package_list "$list" >&2
     return 0
   fi
   local missing=() package
-  for package in $(package_list); do
+  for package in $(package_list "$list"); do
     if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" != installed ]; then missing+=("$package"); fi
   done
   if [ ${#missing[@]} -eq 0 ]; then return 0; fi
@@ -43,10 +45,15 @@ build_jobs() {
   say $((jobs > 1 ? jobs : 1))
 }
 
-# configure_and_build TARGETS...: preset release, into build/release.
+# configure_and_build [-DOPTION=VALUE...] TARGETS...: preset release, into build/release.
 configure_and_build() {
   cd "$root"
-  cmake --preset release
+  local options=()
+  while [[ ${1:-} == -D* ]]; do
+    options+=("$1")
+    shift
+  done
+  cmake --preset release "${options[@]}"
   local jobs
   jobs=$(build_jobs)
   cmake --build --preset release --parallel "$jobs" --target "$@"

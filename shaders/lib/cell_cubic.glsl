@@ -61,12 +61,17 @@ Bracket firstRise(Cubic g, float len) {
 const int kRefineIterations = 32;
 // In units of the smallest spacing; a hundredth of the required 1e-3 voxel.
 const float kRefineTolerance = 1e-5f;
+// A Newton step as short as this leaves far less than the tolerance behind it.
+const float kLastNewtonStep = 1e-4f;
 
 // The root in a bracket, by Newton steps that fall back to halving when they leave it or do not shrink fast enough.
 float refineRise(Cubic g, Bracket bracket) {
   float low = bracket.low;
   float high = bracket.high;
-  float t = 0.5f * (low + high);
+  // The secant is close where the bracket is short; nothing to divide by (low = high) gives the middle.
+  float atLow = cubicAt(g, low);
+  float secant = low - atLow * (high - low) / (cubicAt(g, high) - atLow);
+  float t = secant > low && secant < high ? secant : 0.5f * (low + high);
   float stepBefore = high - low;
   for (int i = 0; i < kRefineIterations && high - low > kRefineTolerance; ++i) {
     float value = cubicAt(g, t);
@@ -77,11 +82,11 @@ float refineRise(Cubic g, Bracket bracket) {
       low = t;
     }
     float newton = t - value / (slope == 0.0f ? 1.0f : slope);
-    bool useNewton = newton > low && newton < high && abs(2.0f * value) < abs(stepBefore * slope);
+    bool useNewton = newton >= low && newton <= high && abs(2.0f * value) < abs(stepBefore * slope);
     float next = useNewton ? newton : 0.5f * (low + high);
     stepBefore = next - t;
     t = next;
-    if (abs(stepBefore) < kRefineTolerance) break;
+    if (abs(stepBefore) < (useNewton ? kLastNewtonStep : kRefineTolerance)) break;
   }
   return t;
 }

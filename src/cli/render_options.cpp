@@ -5,6 +5,7 @@
 #include "raymarch/context.h"
 #include "src/cli/option_builder.h"
 #include "src/cli/parse_value.h"
+#include "src/cli/picture_options.h"
 #include "src/cli/surface_options.h"
 
 namespace isolume {
@@ -12,54 +13,6 @@ namespace {
 
 constexpr double kMaxOffset = 16;  ///< voxels; farther away the light is no longer that of the surface point
 constexpr int kMaxSamples = 1024;  ///< per pixel; beyond it nothing visible changes
-
-void addCameraOptions(CLI::App& app, CameraRequest& camera) {
-  OptionGroup group(app, "Camera (default: frames the whole solid)");
-  const Framing defaults;
-  const auto number = [&group](const std::string& flag, const std::string& unit, std::optional<double>& target,
-                               const std::string& description) {
-    group.value(
-        flag, unit,
-        [&target](const std::string& option, const std::string& text) { target = parseNumber(option, text); },
-        description);
-  };
-  const auto vector = [&group](const std::string& flag, std::optional<glm::dvec3>& target,
-                               const std::string& description) {
-    group.value(
-        flag, "X,Y,Z",
-        [&target](const std::string& option, const std::string& text) { target = parseVector(option, text); },
-        description);
-  };
-  number("--azimuth", "DEG", camera.azimuth,
-         fmt::format("around the up axis; 0 looks along +y, 90 along -x (default: {})", defaults.azimuthDegrees));
-  number("--elevation", "DEG", camera.elevation,
-         fmt::format("above the horizon (default: {})", defaults.elevationDegrees));
-  vector("--eye", camera.eye, "where the camera is, world units; instead of the two above");
-  vector("--target", camera.target, "what it looks at, world units; with --eye");
-  vector("--up", camera.up, "what points upwards in the picture (default: 0,0,1)");
-  number("--roll", "DEG", camera.roll, "turns the camera clockwise (default: 0)");
-  group.value(
-      "--zoom", "FACTOR",
-      [&camera](const std::string& option, const std::string& text) { camera.zoom = parsePositive(option, text); },
-      "magnifies about the centre (default: 1)");
-  group.value(
-      "--projection", "KIND",
-      [&camera](const std::string& option, const std::string& text) {
-        camera.projection = parseChoice<Projection>(
-            option, text, {{"perspective", Projection::perspective}, {"orthographic", Projection::orthographic}});
-      },
-      "perspective or orthographic (default: perspective)");
-  group.value(
-      "--fov", "DEG",
-      [&camera](const std::string& option, const std::string& text) {
-        camera.fov = parseBetween(option, text, 0, 180);
-      },
-      fmt::format("vertical field of view, perspective (default: {})", defaults.fovDegrees));
-  group.value(
-      "--height", "LENGTH",
-      [&camera](const std::string& option, const std::string& text) { camera.height = parsePositive(option, text); },
-      "height of the picture, world units; orthographic with --eye");
-}
 
 void addShadingOptions(CLI::App& app, RenderJob& job) {
   OptionGroup group(app, "Shading");
@@ -89,17 +42,8 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
       "--gamma", "G",
       [&job](const std::string& option, const std::string& text) { job.gamma = parsePositive(option, text); },
       "brightens occluded parts: openness^(1/G) (default: 1)");
-  group.value(
-      "--albedo", "COLOR",
-      [&job](const std::string& option, const std::string& text) { job.albedo = parseColor(option, text); },
-      "surface colour: name, #rrggbb or r,g,b in 0..1 (default: " + job.albedo.text + ")");
-  group.value(
-      "--background", "COLOR",
-      [&job](const std::string& option, const std::string& text) {
-        job.transparent = text == "transparent";
-        job.background = job.transparent ? Color{"transparent", glm::vec3(0)} : parseColor(option, text);
-      },
-      "the same, or transparent (default: " + job.background.text + ")");
+  addAlbedoOption(app, job.albedo);
+  addBackgroundOption(app, job.background, job.transparent);
 }
 
 Layers parseLayers(const std::string& option, const std::string& text) {
@@ -115,11 +59,8 @@ Layers parseLayers(const std::string& option, const std::string& text) {
 
 void addPictureOptions(CLI::App& app, RenderJob& job) {
   addOutputOption(app, job.output, "FILE", "picture to write: .png (sRGB) or .exr (linear float)");
+  addSizeOption(app, job.size);
   OptionGroup group(app, "Output");
-  group.value(
-      "--size", "WxH",
-      [&job](const std::string& option, const std::string& text) { job.size = parseSize(option, text); },
-      fmt::format("pixels (default: {}x{})", job.size.x, job.size.y));
   group.value(
       "--samples", "N",
       [&job](const std::string& option, const std::string& text) {

@@ -16,7 +16,7 @@
 namespace isolume {
 namespace {
 
-enum ExitCode { kSuccess = 0, kDefect = 1, kUsage = 2, kInput = 3, kGpu = 4, kOutput = 5 };
+enum ExitCode { kSuccess = 0, kDefect = 1, kUsage = 2, kInput = 3, kGpu = 4, kOutput = 5, kLimit = 6 };
 
 int report(ExitCode code, std::string_view what) {
   fmt::print(stderr, "isolume: error: {}\n", what);
@@ -29,6 +29,8 @@ struct JobRunner {
   void operator()(const InfoJob& job) const { runInfoJob(job); }
   void operator()(const FieldsJob& job) const { runFieldsJob(job); }
   void operator()(const SampleJob& job) const { runSampleJob(job); }
+  void operator()(const ReferenceJob& job) const { runReferenceJob(job); }
+  void operator()(const CompareJob& job) const { runCompareJob(job); }
 };
 
 }  // namespace
@@ -47,6 +49,8 @@ int runProgram(int argc, char** argv) {
     return report(kGpu, error.what());
   } catch (const OutputError& error) {
     return report(kOutput, error.what());
+  } catch (const LimitError& error) {
+    return report(kLimit, error.what());
   } catch (const std::bad_alloc&) {
     return report(kInput, "out of memory: the volume and its fields need more than this machine can give");
   } catch (const std::exception& error) {

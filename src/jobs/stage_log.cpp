@@ -29,13 +29,16 @@ void StageLog::clearLine() {
 
 void StageLog::begin(const std::string& name, const std::string& doing) {
   running_ = name;
-  if (progress_) {
-    clearLine();
-    fmt::print(stderr, "isolume: {} ({:.1f} s) ...", doing, secondsSinceStart());
-    std::fflush(stderr);
-    lineShown_ = true;
-  }
+  progress(doing);
   stageStart_ = Clock::now();
+}
+
+void StageLog::progress(const std::string& doing) {
+  if (!progress_) return;
+  clearLine();
+  fmt::print(stderr, "isolume: {} ({:.1f} s) ...", doing, secondsSinceStart());
+  std::fflush(stderr);
+  lineShown_ = true;
 }
 
 void StageLog::end(std::size_t bytes) {

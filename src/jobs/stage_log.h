@@ -33,6 +33,8 @@ class StageLog {
 
   /// A stage begins; `doing` is shown on a terminal.
   void begin(const std::string& name, const std::string& doing);
+  /// The stage that runs has got further: replaces what is shown on a terminal.
+  void progress(const std::string& doing);
   /// The stage that runs ends, with what its result takes.
   void end(std::size_t bytes);
   /// A stage that had no pass of its own.

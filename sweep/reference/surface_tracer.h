@@ -2,49 +2,35 @@
 //
 // The solid is { level > 0 } of the trilinear interpolant within the box of the samples [0, size - 1] (index space);
 // nothing lies outside the box, so a solid that the border cuts has a flat cap. Shares nothing with the sweeps and the
-// shaders: no distance, no clearance, no float arithmetic. Bricks without a sign change are skipped; in every other cell
-// that a ray passes, its level is a cubic polynomial of the ray parameter, whose first root is isolated by its extrema.
-// Double roots (a ray that touches the surface) count as a hit only if the level gets above 0. No tolerance to tune.
+// shaders: no distance, no clearance, no float arithmetic. Bricks without a sign change are skipped; in every other
+// cell that a ray passes, its level is a cubic polynomial of the ray parameter, whose first root is isolated by its
+// extrema. Double roots (a ray that touches the surface) count as a hit only if the level gets above 0. No tolerance to
+// tune.
 //
-// Thread-safe once built. Memory: see the constructor. [Amanatides87] for the walk, [Parker98] for the cubic.
+// Thread-safe once built. [Amanatides87] for the walk, [Parker98] for the cubic.
 #pragma once
 
-#include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
 #include <optional>
-#include <vector>
 
 #include "sweep/grid.h"
+#include "sweep/reference/grid_ray.h"
+#include "sweep/reference/solid_cells.h"
 
 namespace isolume {
 
-/// Points origin + t * direction, start <= t <= end, in index space. The direction has any length but 0; components
-/// may be 0. The origin may lie anywhere.
-struct GridRay {
-  glm::dvec3 origin{0}, direction{0, 0, 1};
-  double start = 0;
-  double end = std::numeric_limits<double>::infinity();
-};
-
-struct SurfacePoint {
-  double t = 0;            ///< along GridRay::direction
-  glm::dvec3 position{0};  ///< index space, within the box
-  int capAxis = -1;        ///< axis of the face of the box that cuts the solid there, or -1: on the isosurface
-};
-
 class SurfaceTracer {
  public:
-  /// Borrows the level (sweep/level.h: finite). At least two samples along each axis.
+  /// Borrows the level (sweep/level.h: finite). At least two samples along each axis. Memory: solid_cells.h.
   explicit SurfaceTracer(GridView<const float> level);
 
   /// Where the ray first passes from outside into the solid. A ray that starts inside finds where it leaves (the
   /// surface, or the cap, from behind), as the renderer shows it.
   std::optional<SurfacePoint> firstHit(const GridRay& ray) const;
 
-  /// Where a ray that starts at a point of the surface (an earlier hit) meets the solid again, or at once if it points
-  /// into the solid. The ray is taken to start just outside, by no more than the rounding of the point, so that it never
-  /// meets the spot that it leaves.
+  /// Where a ray that starts at a point of the surface (an earlier hit: the ray's point at ray.start is from.position)
+  /// meets the solid again, or at once if it points into the solid. The ray is taken to start just outside, by no more
+  /// than the rounding of the point, so that it never meets the spot that it leaves.
   std::optional<SurfacePoint> nextHit(const GridRay& ray, const SurfacePoint& from) const;
   /// The same question without where: stops at the first crossing found.
   bool isBlocked(const GridRay& ray, const SurfacePoint& from) const;
@@ -61,8 +47,7 @@ class SurfaceTracer {
 
  private:
   GridView<const float> level_;
-  glm::ivec3 bricks_{0};
-  std::vector<std::uint64_t> mixedCells_;  ///< what the tracer skips by: described in the .cpp, with bytes per voxel
+  SolidCells solid_;
 };
 
 }  // namespace isolume

@@ -2,6 +2,7 @@
 isolume_test(test_cli
   cli/bad_input_test.cpp
   cli/command_line_test.cpp
+  cli/compare_test.cpp
   cli/environment_test.cpp
   cli/fields_test.cpp
   cli/info_test.cpp
@@ -9,6 +10,7 @@ isolume_test(test_cli
   cli/program.cpp
   cli/provenance_test.cpp
   cli/real_volumes_test.cpp
+  cli/reference_test.cpp
   cli/render_test.cpp
   cli/sample_test.cpp
   cli/suggest_test.cpp

@@ -120,7 +120,7 @@ TEST(Beam, LiveBlocksAreCoveredOnce) {
     std::vector<float> starts(static_cast<std::size_t>(blocks.x * blocks.y));
     for (float& start : starts) start = engine() % 4 < static_cast<unsigned>(round % 5) ? 1.5f : glsl::kBeamMissed;
     std::vector<int> covered(starts.size());
-    for (const PixelRect& rect : liveBlocks(starts, blocks)) {
+    for (const TileRect& rect : liveBlocks(starts, blocks)) {
       for (int y = rect.low.y / glsl::kBeamBlock; y < rect.high.y / glsl::kBeamBlock; ++y)
         for (int x = rect.low.x / glsl::kBeamBlock; x < rect.high.x / glsl::kBeamBlock; ++x)
           ++covered[static_cast<std::size_t>(y * blocks.x + x)];
@@ -131,7 +131,7 @@ TEST(Beam, LiveBlocksAreCoveredOnce) {
 
 TEST(Beam, EqualRowsBecomeOneRectangle) {
   // A solid block of live blocks is one rectangle: one draw call.
-  const std::vector<PixelRect> rects = liveBlocks(std::vector<float>(12, 0.0f), {4, 3});
+  const std::vector<TileRect> rects = liveBlocks(std::vector<float>(12, 0.0f), {4, 3});
   ASSERT_EQ(rects.size(), 1u);
   EXPECT_EQ(rects[0].high, glm::ivec2(4, 3) * glsl::kBeamBlock);
 }

@@ -1,0 +1,1 @@
+"""The report of run time against error: what scripts/report runs after building."""

@@ -1,0 +1,97 @@
+"""What is measured: scenes, sizes, threads, runs, and the quality knobs of every method."""
+
+import os
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Volume:
+    """A volume file that a machine may have, with the surface that is shown of it."""
+
+    name: str
+    file: str
+    surface: tuple[str, ...]
+
+
+# Cubic voxels and a solid that stays off the border: what every distance solver can work on.
+BETA_GALACTOSIDASE = Volume("beta-galactosidase", "betaGal.mrc", ("--isovalue", "0.06", "--inside", "above"))
+# A head by computed tomography, cut by the border, with voxels that are not cubes.
+CRANIUM = Volume("cranium", "cranium.mhd", ("--isovalue", "300", "--inside", "above"))
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """One report."""
+
+    name: str
+    runs: int
+    threads: tuple[int, ...]
+    distance_shapes: tuple[str, ...]
+    distance_sizes: tuple[int, ...]
+    distance_volumes: tuple[Volume, ...]
+    judged: int  # voxels with a true distance: from anywhere, and as many near the surface
+    occlusion_scenes: tuple[str, ...]
+    occlusion_sizes: tuple[int, ...]
+    occlusion_volumes: tuple[Volume, ...]
+    picture: tuple[int, int]
+    reference_rays: int
+    offsets: tuple[float, ...]  # --occlusion-offset, voxels
+    rays: tuple[int, ...]  # Embree, per pixel
+    kernels: tuple[int, ...]  # VTK's SSAO, samples per pixel
+    scaling_scene: str
+    scaling_sizes: tuple[int, ...]
+    table_repetitions: int
+    table_sizes: tuple[tuple[int, int, int], ...]
+
+
+def thread_counts() -> tuple[int, ...]:
+    """One, and all cores that this process may use."""
+    cores = len(os.sched_getaffinity(0))
+    return (1, cores) if cores > 1 else (1,)
+
+
+PAPER_SIZES = ((101, 101, 61), (100, 100, 100), (150, 150, 150), (200, 200, 200), (250, 250, 250))
+
+FULL = Matrix(
+    name="full",
+    runs=3,
+    threads=thread_counts(),
+    distance_shapes=("sphere", "torus", "box", "gyroid"),
+    distance_sizes=(128, 250),
+    distance_volumes=(BETA_GALACTOSIDASE,),
+    judged=2000,
+    occlusion_scenes=("corner", "gyroid", "capsules"),
+    occlusion_sizes=(128, 256),
+    occlusion_volumes=(BETA_GALACTOSIDASE, CRANIUM),
+    picture=(512, 512),
+    reference_rays=1024,
+    offsets=(0, 1, 2, 3),
+    rays=(4, 16, 64, 256),
+    kernels=(32, 128, 256),
+    scaling_scene="capsules",
+    scaling_sizes=(64, 128, 256, 512),
+    table_repetitions=5,
+    table_sizes=PAPER_SIZES,
+)
+
+QUICK = Matrix(
+    name="quick",
+    runs=1,
+    threads=thread_counts()[-1:],
+    distance_shapes=FULL.distance_shapes,
+    distance_sizes=(64,),
+    distance_volumes=FULL.distance_volumes,
+    judged=500,
+    occlusion_scenes=("corner", "gyroid", "capsules"),
+    occlusion_sizes=(64,),
+    occlusion_volumes=(BETA_GALACTOSIDASE,),
+    picture=(256, 256),
+    reference_rays=64,
+    offsets=FULL.offsets,
+    rays=(4, 16, 64),
+    kernels=(32,),
+    scaling_scene=FULL.scaling_scene,
+    scaling_sizes=(64, 128),
+    table_repetitions=1,
+    table_sizes=PAPER_SIZES[:2],
+)

@@ -1,0 +1,194 @@
+"""Ambient occlusion: seconds to the first and to every further picture against the error of the openness."""
+
+from pathlib import Path
+from typing import Any
+
+from . import peers, volumes
+from .matrix import Matrix
+from .plots import occlusion_plot
+from .process import Programs, json_of, output_of
+from .section import Plot, Row, Section, table
+from .stats import Timing, digits, range_text, seconds_text, sums
+from .volumes import Scene
+
+INTRODUCTION = """\
+Truth: `isolume reference` with {rays} rays per pixel, {width} x {height} pixels, the same view for all; error: RMSE of
+the layer `ambient` over the pixels that both hit, by `isolume compare`, with the reference's own noise in it (its
+size, and the RMSE without it, are in the CSV file). Openness is 1 for an open point and 0 for a closed one. Files are
+read, and processes started, before the clock starts; everything runs once before it is timed. The first picture of a
+method holds its preparation: distance and octants, context, shaders and textures for Isolume; mesh and BVH for Embree;
+window, upload and, for the mesh, flying edges for VTK.
+
+How each is used:
+
+- **Isolume**: `isolume render --occlusion-offset` {offsets} (the knob there is: how far above the surface the octants
+  are read; 0 is the published method).
+- **Embree {embree}**: the quads of OpenVDB's `volumeToMesh` as triangles, default build quality, single rays,
+  flush-to-zero; {knob} cosine-weighted stratified directions per pixel, turned by a random offset for each pixel; rays
+  start {offset} of the scene's diagonal above the surface.
+- **VTK {vtk}** under Xvfb on the same software OpenGL: `vtkOpenGLGPUVolumeRayCastMapper` in isosurface mode with
+  samples one voxel apart (it gives a lit picture and no openness: time alone), and `vtkFlyingEdges3D` with
+  `vtkSSAOPass`, radius a tenth of the scene's diagonal, {kernels} samples, blurred. Its openness is the picture of an
+  unlit white surface with the pass divided by the one without, in 8 bits; it sees only what is on the screen and
+  within its radius, so it answers an easier question than the others."""
+
+OURS = "Isolume, octant sweep"
+EMBREE = "Embree rays"
+
+
+def reference(matrix: Matrix, programs: Programs, scene: Scene, stem: str) -> Path:
+    """The truth, with all layers."""
+    picture = programs.work / f"{stem}_reference.exr"
+    output_of([programs.isolume, "reference", *scene.arguments(), "--size", size_text(matrix), "--rays",
+               matrix.reference_rays, "-o", picture])
+    return picture
+
+
+def size_text(matrix: Matrix) -> str:
+    return f"{matrix.picture[0]}x{matrix.picture[1]}"
+
+
+def error_of(programs: Programs, picture: Path, truth: Path) -> Row:
+    """What `isolume compare` says of the layer `ambient`."""
+    report = json_of([programs.isolume, "compare", picture, truth, "--layer", "ambient", "--json"])
+    return error_row(report)
+
+
+def error_row(report: Any) -> Row:
+    measures = report["measures"][0]
+    row = {key: measures[key] for key in ("rmse", "bias", "mean", "p95", "max")}
+    return {**row, "rmse_without_noise": measures["rmse_without_noise"], "reference_noise": measures["reference_noise"],
+            "ssim": report["ssim"], "miss": report["miss"]}
+
+
+def row_of(scene: Scene, threads: int, method: str, knob: float | None, first: list[float], further: list[float],
+           error: Row) -> Row:
+    a, b = Timing.of(first), Timing.of(further)
+    return {"scene": scene.name, "threads": threads, "method": method, "knob": knob,
+            "first_seconds": a.median, "first_least": a.least, "first_most": a.most,
+            "further_seconds": b.median, "further_least": b.least, "further_most": b.most, **error}
+
+
+def our_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, errors: dict[str, Row], truth: Path,
+             threads: int) -> list[Row]:
+    """`errors` is kept from one number of threads to the next, since pictures do not depend on it."""
+    report = json_of([programs.report / "report_frames", *scene.arguments(), "--size", size_text(matrix), "--offsets",
+                      ",".join(map(str, matrix.offsets)), "--runs", matrix.runs, "--threads", threads], threads)
+    rows = []
+    for entry in report["frames"]:
+        key = f"{stem}_singh10_{entry['offset']:g}"
+        if key not in errors:
+            picture = programs.work / f"{key}.exr"
+            output_of([programs.isolume, "render", *scene.arguments(), "--size", size_text(matrix),
+                       "--occlusion-offset", f"{entry['offset']:g}", "--layers", "all", "-o", picture])
+            errors[key] = error_of(programs, picture, truth)
+        first = sums(report["sweep"], report["upload"], report["first_frame"])
+        rows.append(row_of(scene, threads, OURS, entry["offset"], first, entry["seconds"], errors[key]))
+    return rows
+
+
+def embree_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, errors: dict[str, Row], truth: Path,
+                threads: int) -> tuple[list[Row], Any]:
+    report = json_of([programs.report / "peer_embree", *scene.arguments(), "--size", size_text(matrix), "--rays",
+                      ",".join(map(str, matrix.rays)), "--runs", matrix.runs, "--threads", threads, "-o",
+                      programs.work / f"{stem}_embree_"], threads)
+    rows = []
+    for entry in report["pictures"]:
+        key = f"{stem}_embree_{entry['rays']}"
+        if key not in errors:
+            errors[key] = error_of(programs, Path(entry["picture"]), truth)
+        first = sums(report["mesh"], report["bvh"], entry["seconds"])
+        rows.append(row_of(scene, threads, EMBREE, entry["rays"], first, entry["seconds"], errors[key]))
+    return rows, report
+
+
+def vtk_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, truth: Path,
+             threads: int) -> tuple[list[Row], Any]:
+    report = peers.run_vtk(programs, scene, stem, matrix, threads)
+    rows = []
+    for entry in report["pictures"]:
+        error = error_of(programs, Path(entry["picture"]), truth) if entry.get("picture") else {}
+        rows.append(row_of(scene, threads, entry["method"], entry.get("knob"), entry["first"], entry["further"], error))
+    return rows, report
+
+
+def scenes_of(matrix: Matrix, programs: Programs, section: Section) -> list[Scene]:
+    found = [volumes.sample(programs, name, size) for size in matrix.occlusion_sizes
+             for name in matrix.occlusion_scenes]
+    for volume in matrix.occlusion_volumes:
+        scene = volumes.shared(programs, volume)
+        if scene:
+            found.append(scene)
+        else:
+            section.gaps.append((f"occlusion, {volume.name}", f"this machine does not have {volume.file}"))
+    return found
+
+
+def table_of(rows: list[Row]) -> str:
+    lines = []
+    for row in rows:
+        knob = "" if row["knob"] is None else f" {row['knob']:g}"
+        first = Timing(row["first_seconds"], row["first_least"], row["first_most"])
+        further = Timing(row["further_seconds"], row["further_least"], row["further_most"])
+        lines.append([f"{row['method']}{knob}", str(row["threads"]), seconds_text(first), seconds_text(further),
+                      *(digits(row.get(key)) for key in ("rmse", "bias", "ssim", "miss"))])
+    return table(["method, knob", "threads", "first picture, s", "further picture, s", "RMSE", "bias", "SSIM",
+                  "miss"], lines)
+
+
+def findings(scene: Scene, rows: list[Row]) -> list[str]:
+    """Isolume's best picture against Embree's, with most threads."""
+    threads = max(row["threads"] for row in rows)
+    here = [row for row in rows if row["threads"] == threads]
+    ours = min((row for row in here if row["method"] == OURS), key=lambda row: row["rmse"])
+    published = next((row for row in here if row["method"] == OURS and row["knob"] == 0), None)
+    text = f"**{scene.name}**: Isolume's RMSE is {digits(ours['rmse'])} at offset {ours['knob']:g}"
+    if published and published is not ours:
+        text += f" ({digits(published['rmse'])} as published)"
+    rays = [row for row in here if row["method"] == EMBREE]
+    if rays:
+        times = range_text((row["further_seconds"] / ours["further_seconds"] for row in rays), " times")
+        errors = range_text((row["rmse"] for row in rays))
+        text += (f"; Embree's is {errors} over {rays[0]['knob']:g} to {rays[-1]['knob']:g} rays per pixel, "
+                 f"at {times} the time of a further picture")
+    return [text + "."]
+
+
+def measure(matrix: Matrix, programs: Programs) -> Section:
+    section = Section("Occlusion", "")
+    versions = dict.fromkeys(("embree", "offset", "vtk"), "(not in this run)")
+    all_rows: list[Row] = []
+    for scene in scenes_of(matrix, programs, section):
+        stem = scene.path.name.partition(".")[0]
+        truth = reference(matrix, programs, scene, stem)
+        rows: list[Row] = []
+        errors: dict[str, Row] = {}
+        for threads in matrix.threads:
+            rows += our_rows(matrix, programs, scene, stem, errors, truth, threads)
+            if (programs.report / "peer_embree").exists():
+                peer, report = embree_rows(matrix, programs, scene, stem, errors, truth, threads)
+                rows += peer
+                versions |= {"embree": report["version"], "offset": digits(report["ray_offset_of_diagonal"])}
+            else:
+                section.gaps.append(("occlusion, Embree", "Embree was not found by the build"))
+            gap = peers.vtk_gap(programs, scene, stem, matrix)
+            if gap:
+                section.gaps.append((f"occlusion, {scene.name}, VTK", gap))
+            else:
+                peer, report = vtk_rows(matrix, programs, scene, stem, truth, threads)
+                rows += peer
+                versions["vtk"] = report["version"]
+        section.tables.append(f"### {scene.name}\n\n" + table_of(rows))
+        section.findings += findings(scene, rows)
+        last = [row for row in rows if row["threads"] == matrix.threads[-1]]
+        section.plots.append(Plot(f"occlusion_{stem}", f"{scene.name}, {matrix.threads[-1]} threads: to the left is "
+                                  "faster, below is closer to the truth; labels are each method's knob.",
+                                  lambda path, shown=last, title=scene.name: occlusion_plot(shown, title, path)))
+        all_rows += rows
+    section.gaps = list(dict.fromkeys(section.gaps))
+    section.data["occlusion"] = all_rows
+    section.introduction = INTRODUCTION.format(
+        rays=matrix.reference_rays, width=matrix.picture[0], height=matrix.picture[1],
+        offsets=", ".join(map(str, matrix.offsets)), knob=", ".join(map(str, matrix.rays)),
+        kernels=", ".join(map(str, matrix.kernels)), **versions)
+    return section

@@ -1,0 +1,88 @@
+// report_distance: seconds and error of every distance solver on one shape or volume, as JSON.
+//
+// Held fixed: the levels, the number of threads, the voxels that are judged and their true distances
+// (closest_distance.h). Each solver runs once to warm up, then --runs times. Handing the levels over in the library's
+// own form is not timed.
+#include "src/cli/surface_options.h"
+#include "src/jobs/run_options.h"
+#include "src/jobs/stage_log.h"
+#include "src/jobs/surface.h"
+#include "sweep/parallel.h"
+#include "tests/bench/report/report_program.h"
+#include "tests/bench/report/shapes.h"
+#include "tests/bench/report/timing.h"
+#include "tests/bench/report/voxel_sample.h"
+
+namespace isolume::bench {
+namespace {
+
+struct Options {
+  SurfaceRequest surface;
+  std::string shape;
+  int size = 128;
+  int runs = 3;
+  int judged = 4000;
+  RunOptions run;
+};
+
+Grid<float> readLevel(const Options& options) {
+  if (!options.shape.empty()) return shapeLevel(options.shape, options.size);
+  StageLog log(options.run);
+  Surface surface = readSurface(options.surface, log);
+  return std::move(surface.level);
+}
+
+nlohmann::ordered_json judge(const DistanceSolver& solver, int runs, const std::vector<JudgedVoxel>& voxels) {
+  const std::vector<double> seconds = timedRuns(runs, solver.solve);
+  const DistanceError error = distanceError(voxels, solver);
+  return {{"solver", solver.name},
+          {"version", solver.version},
+          {"call", solver.call},
+          {"seconds", seconds},
+          {"mean_error", error.mean},
+          {"max_error", error.max},
+          {"mean_error_near", error.meanNear},
+          {"max_error_near", error.maxNear},
+          {"wrong_sign", error.wrongSign}};
+}
+
+nlohmann::ordered_json work(const Options& options) {
+  limitThreads(options.run.threads);
+  const Grid<float> level = readLevel(options);
+  checkBorderOutside(level.view(), options.shape.empty() ? options.surface.input : options.shape);
+  const std::vector<JudgedVoxel> voxels = judgedVoxels(level.view(), options.judged);
+  nlohmann::ordered_json report{{"voxels", level.count()},
+                                {"dims", {level.size().x, level.size().y, level.size().z}},
+                                {"threads", threadCount()},
+                                {"judged", voxels.size()},
+                                {"truth_tolerance", kTruthTolerance},
+                                {"near", kNearVoxels}};
+  report["solvers"] = nlohmann::ordered_json::array();
+  report["gaps"] = nlohmann::ordered_json::array();
+  for (const auto& make : {isolumeSolver, openVdbSolver,
+                           +[](GridView<const float> view) { return itkMaurerSolver(view, threadCount()); }}) {
+    const SolverOrGap made = make(level.view());
+    if (made.solver)
+      report["solvers"].push_back(judge(*made.solver, options.runs, voxels));
+    else
+      report["gaps"].push_back({{"solver", made.name}, {"reason", made.gap}});
+  }
+  return report;
+}
+
+}  // namespace
+}  // namespace isolume::bench
+
+int main(int argc, char** argv) {
+  using namespace isolume;
+  bench::Options options;
+  CLI::App app{"Times and judges distance solvers on one volume.", "report_distance"};
+  addSurfaceOptions(app, options.surface);
+  addRunOptions(app, options.run);
+  app.add_option("--shape", options.shape, "instead of INPUT: a shape or scene");
+  app.add_option("--size", options.size, "samples along each axis of the shape")->check(CLI::Range(8, 1024));
+  app.add_option("--runs", options.runs, "timed runs")->check(CLI::PositiveNumber);
+  app.add_option("--judged", options.judged, "voxels judged: from anywhere, and as many near")
+      ->check(CLI::PositiveNumber);
+  return bench::runReportProgram(app, argc, argv, [&options] { return bench::work(options); });
+}

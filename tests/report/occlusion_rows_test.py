@@ -1,0 +1,57 @@
+"""Rows and sentences of the occlusion report, and the EXR files of the peer that is Python."""
+
+import importlib.util
+import struct
+import tempfile
+import unittest
+from pathlib import Path
+
+for needed in ("matplotlib", "numpy"):
+    if importlib.util.find_spec(needed) is None:
+        raise unittest.SkipTest(f"python3-{needed} is not installed")
+
+import numpy as np  # noqa: E402
+
+from report import occlusion  # noqa: E402
+from report.exr import write_exr  # noqa: E402
+from report.volumes import Scene  # noqa: E402
+
+SCENE = Scene("a scene", Path("a.vdb"), ())
+
+
+def row(method: str, knob: float, seconds: float, rmse: float, threads: int = 2) -> dict:
+    return occlusion.row_of(SCENE, threads, method, knob, [seconds], [seconds], {"rmse": rmse})
+
+
+class OcclusionTest(unittest.TestCase):
+    def test_error_row_takes_the_first_measure(self) -> None:
+        # The limits' own measure is the one reported, with the share of misses beside it.
+        measure = {"rmse": 0.1, "bias": -0.05, "mean": 0.06, "p95": 0.2, "max": 0.5, "rmse_without_noise": 0.09,
+                   "reference_noise": 0.01}
+        found = occlusion.error_row({"measures": [measure, {}], "ssim": 0.9, "miss": 0.001})
+        self.assertEqual(found, {**measure, "ssim": 0.9, "miss": 0.001})
+
+    def test_findings_compare_with_the_same_threads(self) -> None:
+        # Ratios are taken at the largest number of threads, and the published offset is named.
+        rows = [row(occlusion.OURS, 0, 1, 0.3), row(occlusion.OURS, 2, 1, 0.07), row(occlusion.OURS, 2, 9, 0.07, 1),
+                row(occlusion.EMBREE, 4, 2, 0.1), row(occlusion.EMBREE, 16, 8, 0.05)]
+        text = occlusion.findings(SCENE, rows)[0]
+        self.assertIn("RMSE is 0.0700 at offset 2 (0.300 as published)", text)
+        self.assertIn("at 2.0 to 8.0 times the time", text)
+
+    def test_exr_holds_the_values_row_by_row(self) -> None:
+        # Every scan line holds its number, its size, and its channels in the order of their names.
+        ambient = np.arange(6, dtype="f4").reshape(2, 3)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "a.exr"
+            write_exr(path, {"ambient.Y": ambient, "Z": -ambient})
+            data = path.read_bytes()
+        self.assertEqual(struct.unpack("<i", data[:4])[0], 20000630)
+        line = struct.pack("<ii", 1, 24) + (-ambient[1]).tobytes() + ambient[1].tobytes()  # "Z" before "a"
+        self.assertTrue(data.endswith(line))
+        start = struct.unpack("<Q", data[-2 * len(line) - 8:-2 * len(line)])[0]
+        self.assertEqual(start, len(data) - len(line))
+
+
+if __name__ == "__main__":
+    unittest.main()
