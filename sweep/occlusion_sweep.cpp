@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "closest/closest_distance.h"
 #include "parallel.h"
 #include "surface_start.h"
 #include "wavefront.h"
@@ -11,8 +12,11 @@
 namespace isolume {
 namespace {
 
+float smallestOf(glm::dvec3 spacing) { return static_cast<float>(std::min({spacing.x, spacing.y, spacing.z})); }
+
 // From the sweep's units and tags to world units; what was never reached is infinitely far.
-void finishDistance(GridView<float> distance, float smallestSpacing) {
+void finishDistance(GridView<float> distance) {
+  const float smallestSpacing = smallestOf(distance.spacing);
   const std::size_t perPlane = voxelCount({distance.size.x, distance.size.y, 1});
   parallelFor(static_cast<std::size_t>(distance.size.z), [&](std::size_t z) {
     float* plane = distance.data + z * perPlane;
@@ -41,34 +45,64 @@ Grid<glm::u8vec4> interleave(std::array<Grid<std::uint8_t>, 4>& channels, GridVi
   return packed;
 }
 
+// The other way: every distance fixed, but for those that are infinite.
+Grid<float> fixedDistance(GridView<const float> distance) {
+  Grid<float> fixed(distance.size, distance.spacing, distance.origin);
+  const float perSmallest = 1 / smallestOf(distance.spacing);
+  const std::size_t perPlane = voxelCount({distance.size.x, distance.size.y, 1});
+  parallelFor(static_cast<std::size_t>(distance.size.z), [&](std::size_t z) {
+    for (std::size_t i = z * perPlane; i < (z + 1) * perPlane; ++i) {
+      const float value = distance.data[i];
+      const bool known = std::isfinite(value);
+      const float magnitude = known ? std::max(std::abs(value) * perSmallest, kSmallestDistance) : kUnsetDistance;
+      fixed.data()[i] = std::copysign(withFixedBit(magnitude, known), value);
+    }
+  });
+  return fixed;
+}
+
+// Eight sweeps in place, and what of their light is to be kept.
+OctantVisibility sweepRound(WavefrontSweeper& sweeper, GridView<float> distance, VisibilityStorage storage) {
+  OctantVisibility visibility;
+  std::array<Grid<std::uint8_t>, 4> channels;
+  for (std::size_t s = 0; s < kOctants.size(); ++s) {
+    VisibilityTarget target;
+    if (storage == VisibilityStorage::rgba8) {
+      channels[s % 4] = Grid<std::uint8_t>(distance.size);
+      target.as8 = channels[s % 4].data();
+    } else if (storage == VisibilityStorage::float32) {
+      visibility.octants[s] = Grid<float>(distance.size, distance.spacing, distance.origin);
+      target.asFloat = visibility.octants[s].data();
+    }
+    sweeper.sweep(kOctants[s], distance.data, target);
+    if (storage == VisibilityStorage::rgba8 && s % 4 == 3) visibility.packed[s / 4] = interleave(channels, distance);
+  }
+  return visibility;
+}
+
 }  // namespace
+
+OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage) {
+  Grid<float> fixed = fixedDistance(distance);
+  WavefrontSweeper sweeper(distance.size, makeSweepMetric(distance.spacing));
+  return sweepRound(sweeper, fixed.view(), storage);
+}
 
 SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options) {
   SweptFields fields;
+  if (options.solver == DistanceSolver::closest) {
+    fields.distance = closestDistance(level);
+    if (options.visibility != VisibilityStorage::none)
+      fields.visibility = sweepVisibility(fields.distance.view(), options.visibility);
+    return fields;
+  }
   fields.distance = Grid<float>(level.size, level.spacing, level.origin);
   startDistance(level, fields.distance.view());
-
   WavefrontSweeper sweeper(level.size, makeSweepMetric(level.spacing));
-  for (int round = 0; round < options.rounds; ++round) {
-    const VisibilityStorage storage = round == 0 ? options.visibility : VisibilityStorage::none;
-    std::array<Grid<std::uint8_t>, 4> channels;
-    for (std::size_t s = 0; s < kOctants.size(); ++s) {
-      VisibilityTarget target;
-      if (storage == VisibilityStorage::rgba8) {
-        channels[s % 4] = Grid<std::uint8_t>(level.size);
-        target.as8 = channels[s % 4].data();
-      } else if (storage == VisibilityStorage::float32) {
-        fields.visibility.octants[s] = Grid<float>(level.size, level.spacing, level.origin);
-        target.asFloat = fields.visibility.octants[s].data();
-      }
-      sweeper.sweep(kOctants[s], fields.distance.data(), target);
-      if (storage == VisibilityStorage::rgba8 && s % 4 == 3) {
-        fields.visibility.packed[s / 4] = interleave(channels, level);
-      }
-    }
-  }
-  const double smallest = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
-  finishDistance(fields.distance.view(), static_cast<float>(smallest));
+  fields.visibility = sweepRound(sweeper, fields.distance.view(), options.visibility);
+  for (int round = 1; round < options.rounds; ++round)
+    sweepRound(sweeper, fields.distance.view(), VisibilityStorage::none);
+  finishDistance(fields.distance.view());
   return fields;
 }
 

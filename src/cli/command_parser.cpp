@@ -58,6 +58,7 @@ CommandParser::CommandParser() {
 
   CLI::App& drawing = add("render", "draw the isosurface of a volume into a PNG or EXR");
   addSurfaceOptions(drawing, render.surface);
+  addSolverOption(drawing, render.surface);
   addRenderOptions(drawing, render);
   addRunOptions(drawing, render.run);
 
@@ -68,6 +69,7 @@ CommandParser::CommandParser() {
 
   CLI::App& sweeping = add("fields", "save distance and octant visibility as VDB grids, for render to start from");
   addSurfaceOptions(sweeping, fields.surface);
+  addSolverOption(sweeping, fields.surface);
   addOutputOption(sweeping, fields.output, "FILE", "VDB to write (.vdb)");
   addRunOptions(sweeping, fields.run);
 

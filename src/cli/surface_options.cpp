@@ -74,6 +74,17 @@ void addSurfaceOptions(CLI::App& app, SurfaceRequest& target) {
   addReadOptions(app, target.input, target.read);
 }
 
+void addSolverOption(CLI::App& app, SurfaceRequest& target) {
+  OptionGroup(app, "Surface")
+      .value(
+          "--solver", "NAME",
+          [&](const std::string& option, const std::string& text) {
+            target.solver = parseChoice<DistanceSolver>(
+                option, text, {{"godunov", DistanceSolver::godunov}, {"closest", DistanceSolver::closest}});
+          },
+          "distance: godunov, the first-order sweep, or closest,\nexact next to the surface (default: godunov)");
+}
+
 void addOutputOption(CLI::App& app, std::string& target, const std::string& valueName, const std::string& description) {
   OptionGroup(app, "Output")
       .value(

@@ -82,7 +82,8 @@ Provenance surfaceProvenance(const std::string& command, const std::string& inpu
 Provenance renderProvenance(const RenderJob& job, const Surface& surface, const Camera& camera, const Context& context,
                             const std::string& checksums) {
   Provenance provenance = surfaceProvenance(job.run.command, job.surface.input, surface, checksums);
-  const nlohmann::ordered_json picture = pictureSettings(job);
+  nlohmann::ordered_json picture = pictureSettings(job);
+  if (surface.source.empty()) picture["solver"] = solverName(job.surface.solver.value_or(DistanceSolver::godunov));
   const std::string backend(context.backend());
   const std::string cameraText = cameraOptions(camera);
   provenance.metadata.insert(provenance.metadata.end(), {{"isolume:camera", cameraText},

@@ -37,6 +37,7 @@ void refuseSurfaceOptions(const SurfaceRequest& request, double isovalue, Inside
   const RawLayout& raw = request.read.raw;
   const char* option = request.isovalue             ? "--isovalue"
                        : request.inside             ? "--inside"
+                       : request.solver             ? "--solver"
                        : !request.read.grid.empty() ? "--grid"
                        : raw.dims                   ? "--dims"
                        : raw.type                   ? "--type"
@@ -78,6 +79,8 @@ SweptScene readScene(const SurfaceRequest& request, VisibilityStorage storage, S
 
 const char* insideName(Inside inside) { return inside == Inside::above ? "above" : "below"; }
 
+const char* solverName(DistanceSolver solver) { return solver == DistanceSolver::closest ? "closest" : "godunov"; }
+
 std::size_t visibilityBytes(const OctantVisibility& visibility) {
   std::size_t bytes = 0;
   for (const auto& grid : visibility.packed) bytes += grid.count() * sizeof(glm::u8vec4);
@@ -118,7 +121,8 @@ SweptScene loadScene(const SurfaceRequest& request, VisibilityStorage storage, S
   const bool withVisibility = storage != VisibilityStorage::none;
   log.begin("distance", fmt::format("sweeping distance{} over {}x{}x{} voxels", withVisibility ? " and visibility" : "",
                                     size.x, size.y, size.z));
-  scene.swept = sweepOcclusion(scene.surface.level.view(), {.visibility = storage});
+  scene.swept = sweepOcclusion(scene.surface.level.view(),
+                               {.visibility = storage, .solver = request.solver.value_or(DistanceSolver::godunov)});
   log.end(scene.swept.distance.count() * sizeof(float));
   if (withVisibility) log.addIncluded("visibility", visibilityBytes(scene.swept.visibility), "distance");
   return scene;

@@ -16,8 +16,9 @@ namespace isolume {
 
 struct SurfaceRequest {
   std::string input;
-  std::optional<double> isovalue;  ///< default: defaultIsovalue() of src/io/statistics.h
-  std::optional<Inside> inside;    ///< default: below for a VDB level set, above otherwise
+  std::optional<double> isovalue;        ///< default: defaultIsovalue() of src/io/statistics.h
+  std::optional<Inside> inside;          ///< default: below for a VDB level set, above otherwise
+  std::optional<DistanceSolver> solver;  ///< default: godunov
   ReadOptions read;
 };
 
@@ -55,5 +56,6 @@ std::size_t visibilityBytes(const OctantVisibility& visibility);
 std::array<glm::dvec3, 8> solidCorners(const Surface& surface);
 
 const char* insideName(Inside inside);
+const char* solverName(DistanceSolver solver);
 
 }  // namespace isolume

@@ -46,6 +46,19 @@ TEST_F(Fields, AlsoDrawWithoutOcclusion) {
   EXPECT_TRUE(sameBits(readImage(path("direct.exr")), readImage(path("saved.exr"))));
 }
 
+TEST_F(Fields, HoldTheDistanceOfTheSolver) {
+  // --solver changes the distances that are saved, and a picture drawn from them is the one drawn with that solver.
+  runWell({"fields", "corner.vdb", "--isovalue", "0.01", "--inside", "below", "--solver", "closest", "-o", "c.vdb"});
+  EXPECT_NE(fileBytes(path("c.vdb")).size(), 0u);
+  runWell({"render", "c.vdb", "--size", "20x20", "--layers", "all", "-o", "saved.exr"});
+  runWell({"render", "corner.vdb", "--isovalue", "0.01", "--inside", "below", "--solver", "closest", "--size", "20x20",
+           "--layers", "all", "-o", "direct.exr"});
+  runWell({"render", "f.vdb", "--size", "20x20", "--layers", "all", "-o", "other.exr"});
+  EXPECT_TRUE(sameBits(readImage(path("direct.exr")), readImage(path("saved.exr"))));
+  EXPECT_FALSE(sameBits(readImage(path("direct.exr")), readImage(path("other.exr"))));
+  EXPECT_THAT(metadata(readImage(path("direct.exr")), "isolume:settings"), HasSubstr("--solver closest"));
+}
+
 TEST_F(Fields, HaveTheirStagesInTheReport) {
   // Making fields reads, sweeps and writes, and draws nothing.
   const auto report = nlohmann::json::parse(fileBytes(path("fields.json")));
@@ -57,7 +70,8 @@ TEST_F(Fields, HaveTheirStagesInTheReport) {
 
 TEST_F(Fields, LeaveNoChoiceOfSurface) {
   // Options that choose another surface, and sweeping fields again, are usage errors that name the file.
-  for (const auto& [option, value] : {std::pair{"--isovalue", "0.2"}, {"--inside", "above"}, {"--grid", "distance"}}) {
+  for (const auto& [option, value] :
+       {std::pair{"--isovalue", "0.2"}, {"--inside", "above"}, {"--grid", "distance"}, {"--solver", "closest"}}) {
     const Outcome outcome = run({"render", "f.vdb", option, value, "-o", "out.png"});
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_THAT(outcome.err, HasSubstr(option));

@@ -13,9 +13,3 @@ isolume_test(test_closest
   unit/closest_degenerate_test.cpp
   support/plain_closest.cpp
   LIBS isolume_sweep hwy::hwy)
-if(ISOLUME_BUILD_BENCHMARKS)
-  find_package(benchmark REQUIRED)
-  add_executable(bench_closest bench/closest_bench.cpp)
-  target_include_directories(bench_closest PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests)
-  target_link_libraries(bench_closest PRIVATE isolume_flags isolume_sweep benchmark::benchmark)
-endif()
