@@ -39,6 +39,8 @@ nlohmann::ordered_json pictureSettings(const RenderJob& job) {
   return settings;
 }
 
+}  // namespace
+
 std::string optionText(const nlohmann::ordered_json& settings) {
   std::string text;
   for (const auto& [key, value] : settings.items())
@@ -46,8 +48,6 @@ std::string optionText(const nlohmann::ordered_json& settings) {
                         value.is_string() ? value.get<std::string>() : value.dump());
   return text;
 }
-
-}  // namespace
 
 std::string checksumText(const std::vector<std::string>& files) {
   std::string text;

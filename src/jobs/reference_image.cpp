@@ -57,14 +57,6 @@ nlohmann::ordered_json referenceSettings(const ReferenceJob& job) {
   return settings;
 }
 
-std::string optionText(const nlohmann::ordered_json& settings) {
-  std::string text;
-  for (const auto& [key, value] : settings.items())
-    text += fmt::format("{}--{} {}", text.empty() ? "" : " ", key,
-                        value.is_string() ? value.get<std::string>() : value.dump());
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> referenceChannelNames(const ReferenceJob& job) {
