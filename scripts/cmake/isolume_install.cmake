@@ -3,7 +3,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS isolume RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS isolume_sweep isolume_raymarch isolume_shaders isolume_glad isolume_flags EXPORT isolumeTargets
+install(TARGETS isolume_sweep isolume_reference isolume_raymarch isolume_shaders isolume_glad isolume_flags EXPORT isolumeTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY sweep raymarch shaders DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/isolume FILES_MATCHING PATTERN "*.h")
 install(EXPORT isolumeTargets NAMESPACE isolume:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/isolume)
