@@ -61,6 +61,7 @@ const Bench& bench() {
 }
 
 void firstHit(benchmark::State& state) {
+  bench();  // made before the clock starts
   std::size_t hits = 0;
   for (auto _ : state) {
     hits = 0;
@@ -71,6 +72,7 @@ void firstHit(benchmark::State& state) {
 }
 
 void isBlocked(benchmark::State& state) {
+  bench();
   std::size_t blocked = 0;
   for (auto _ : state) {
     blocked = 0;
