@@ -1,5 +1,6 @@
 #include "beams.h"
 
+#include <algorithm>
 #include <glm/common.hpp>
 
 #include "gl_check.h"
@@ -26,13 +27,11 @@ std::vector<TileRect> liveBlocks(const std::vector<float>& starts, glm::ivec2 bl
         runs.push_back({shader::kBeamBlock * glm::ivec2(begin, y), shader::kBeamBlock * glm::ivec2(x, y + 1)});
       while (x < blocks.x && !live(x)) ++x;
     }
-    const auto sameColumns = [&runs](const std::vector<TileRect>& all, std::size_t from) {
-      if (all.size() - from != runs.size()) return false;
-      for (std::size_t i = 0; i < runs.size(); ++i)
-        if (all[from + i].low.x != runs[i].low.x || all[from + i].high.x != runs[i].high.x) return false;
-      return true;
+    const auto sameColumns = [](const TileRect& a, const TileRect& b) {
+      return a.low.x == b.low.x && a.high.x == b.high.x;
     };
-    if (sameColumns(rects, above)) {
+    if (std::equal(rects.begin() + static_cast<std::ptrdiff_t>(above), rects.end(), runs.begin(), runs.end(),
+                   sameColumns)) {
       for (std::size_t i = above; i < rects.size(); ++i) rects[i].high.y = shader::kBeamBlock * (y + 1);
     } else {
       above = rects.size();

@@ -5,21 +5,16 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-namespace isolume {
+#include "sweep/mix_bits.h"
 
-/// One step of SplitMix64 ([Steele14]): a bijection of 64-bit numbers that also serves as a hash.
-inline std::uint64_t mixBits(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
+namespace isolume {
 
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
   /// In [0, 1), with all 53 bits of a double's mantissa.
   double uniform() {
-    state_ += 0x9e3779b97f4a7c15u;  // SplitMix64's increment, 2^64 / golden ratio
+    state_ += kSplitMixIncrement;
     return static_cast<double>(mixBits(state_) >> 11) * 0x1p-53;
   }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }

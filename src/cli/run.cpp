@@ -18,11 +18,6 @@ namespace {
 
 enum ExitCode { kSuccess = 0, kDefect = 1, kUsage = 2, kInput = 3, kGpu = 4, kOutput = 5, kLimit = 6 };
 
-int report(ExitCode code, std::string_view what) {
-  fmt::print(stderr, "isolume: error: {}\n", what);
-  return code;
-}
-
 struct JobRunner {
   void operator()(const PrintedText& text) const { fmt::print("{}", text.text); }
   void operator()(const RenderJob& job) const { runRenderJob(job); }
@@ -35,12 +30,13 @@ struct JobRunner {
 
 }  // namespace
 
-int runProgram(int argc, char** argv) {
-  installInterruptHandler();
+int runReporting(const std::string& name, const std::function<int()>& work) {
+  const auto report = [&name](ExitCode code, std::string_view what) -> int {
+    fmt::print(stderr, "{}: error: {}\n", name, what);
+    return code;
+  };
   try {
-    std::visit(JobRunner{}, parseCommandLine(argc, argv));
-    if (std::fflush(stdout) != 0) return report(kOutput, "standard output: cannot write");
-    return kSuccess;
+    return work();
   } catch (const UsageError& error) {
     return report(kUsage, error.what());
   } catch (const InputError& error) {
@@ -56,6 +52,15 @@ int runProgram(int argc, char** argv) {
   } catch (const std::exception& error) {
     return report(kDefect, fmt::format("unexpected: {}", error.what()));
   }
+}
+
+int runProgram(int argc, char** argv) {
+  installInterruptHandler();
+  return runReporting("isolume", [&] {
+    std::visit(JobRunner{}, parseCommandLine(argc, argv));
+    if (std::fflush(stdout) != 0) throw OutputError("standard output: cannot write");
+    return static_cast<int>(kSuccess);
+  });
 }
 
 }  // namespace isolume

@@ -13,19 +13,13 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
+#include "sweep/mix_bits.h"
+
 namespace isolume {
 
-/// Finaliser of [Steele14]'s splittable generator: every bit of the result depends on every bit of the argument.
-inline std::uint64_t mixBits(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31);
-}
-
-/// A key that depends on both, and on their order. The increment is [Steele14]'s, 2^64 over the golden ratio.
+/// A key that depends on both, and on their order.
 inline std::uint64_t mixKey(std::uint64_t key, std::uint64_t more) {
-  constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15U;
-  return mixBits(key + kGolden * (more + 1));
+  return mixBits(key + kSplitMixIncrement * (more + 1));
 }
 
 inline std::uint32_t reverseBits(std::uint32_t x) {

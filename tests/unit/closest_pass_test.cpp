@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/plain_closest.h"
+#include "support/simd_targets.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
 #include "sweep/parallel.h"
@@ -47,17 +48,10 @@ TEST(ClosestPasses, EqualPlainLoopsOnEveryInstructionSet) {
   // Every SIMD target that this machine can run gives the bits of the plain loops.
   const Grid<float> speck = speckLevel({53, 38, 21}, {1, 1.25, 2});
   const Grid<float> ball = ballLevel(40, 11, glm::dvec3(17, 20, 22));
-  int tried = 0;
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    const std::int64_t target = targets & -targets;
-    if ((target & HWY_ATTAINABLE_TARGETS) == 0) continue;
-    hwy::SetSupportedTargetsForTest(target);
-    SCOPED_TRACE(hwy::TargetName(static_cast<std::uint32_t>(target)));
+  const int tried = test::onEverySimdTarget([&] {
     expectEqualsPlain(speck.view(), 2);
     expectEqualsPlain(ball.view(), 1, 2);
-    ++tried;
-    hwy::SetSupportedTargetsForTest(0);
-  }
+  });
   EXPECT_GE(tried, 1);
 }
 

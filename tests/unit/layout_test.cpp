@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/plain_sweep.h"
+#include "support/simd_targets.h"
 #include "support/test_levels.h"
 #include "sweep/occlusion_sweep.h"
 #include "sweep/parallel.h"
@@ -65,18 +66,10 @@ TEST(SweepLayout, EqualsPlainLoopsOnEveryInstructionSet) {
   // Every SIMD target that this machine can run gives the bits of the plain loops.
   const Grid<float> noise = noiseLevel({53, 38, 21}, {1, 1.25, 2}, 11);
   const Grid<float> ball = ballLevel(40, 11, glm::dvec3(17, 20, 22));
-  int tried = 0;
-  for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-    const std::int64_t target = targets & -targets;
-    if ((target & HWY_ATTAINABLE_TARGETS) == 0) continue;
-    hwy::SetSupportedTargetsForTest(target);
-    SCOPED_TRACE(testing::Message() << hwy::TargetName(static_cast<std::uint32_t>(target)) << ", " << tileLanes()
-                                    << " lanes");
+  const int tried = test::onEverySimdTarget([&] {
     expectEqualsPlain(noise.view());
     expectEqualsPlain(ball.view());
-    ++tried;
-    hwy::SetSupportedTargetsForTest(0);
-  }
+  });
   EXPECT_GE(tried, 1);
 }
 
