@@ -52,7 +52,7 @@ SceneTextures uploadScene(const SceneFields& fields) {
   GridView<const float> level = fields.level, distance = fields.distance;
   level.spacing = distance.spacing = scene.frame.spacing;
   scene.level = makeTextureSlices("level", size, kR32F, GL_LINEAR, level.data);
-  scene.clearance = makeTexture3D("clearance", size - 1, kR8UI, GL_NEAREST, buildClearance(level).data());
+  scene.clearance = makeTextureSlices("clearance", size - 1, kR8UI, GL_NEAREST, buildClearance(level).data());
   if (fields.distanceNormals) {
     scene.distance = makeTextureSlices("distance", size, kR16F, GL_LINEAR, packDistance(distance).data());
   }

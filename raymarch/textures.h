@@ -27,7 +27,7 @@ inline constexpr TexelFormat kRGBA32F{GL_RGBA32F, GL_RGBA, GL_FLOAT, 16, "RGBA32
 GlTexture makeTexture3D(const std::string& what, glm::ivec3 size, const TexelFormat& format, GLint filter,
                         const void* texels);
 /// The same as an array of xy slices, filtered within each. A 3D texture cannot be gathered from, and where four texels
-/// come with each lookup a software frame is a sixth faster.
+/// come with each lookup a software frame is a sixth faster. Nearest lookups are cheaper there as well.
 GlTexture makeTextureSlices(const std::string& what, glm::ivec3 size, const TexelFormat& format, GLint filter,
                             const void* texels);
 /// One image, otherwise the same. `texels` may be nullptr: undefined content, to be drawn into.

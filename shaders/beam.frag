@@ -11,7 +11,7 @@
 
 layout(std140, binding = 0) uniform FrameBlock { FrameUniforms frame; };
 layout(location = 0) uniform vec2 pixelOrigin;  // of this tile, relative to the centre of the picture
-layout(binding = 1) uniform usampler3D clearanceTexture;
+layout(binding = 1) uniform usampler2DArray clearanceTexture;
 
 layout(location = 0) out float outStart;  // s of lib/beam.glsl, or kBeamMissed
 

@@ -13,7 +13,7 @@
 layout(std140, binding = 0) uniform FrameBlock { FrameUniforms frame; };
 layout(location = 0) uniform vec2 pixelOrigin;  // of this tile and sample, relative to the centre of the picture
 layout(binding = 0) uniform sampler2DArray levelTexture;
-layout(binding = 1) uniform usampler3D clearanceTexture;
+layout(binding = 1) uniform usampler2DArray clearanceTexture;
 layout(binding = 2) uniform sampler2DArray distanceTexture;
 layout(binding = 3) uniform sampler3D octants0Texture;
 layout(binding = 4) uniform sampler3D octants1Texture;

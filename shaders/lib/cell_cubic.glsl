@@ -31,6 +31,17 @@ Cubic cellCubic(vec4 low, vec4 high, vec3 u, vec3 direction) {
                s.z * direction.z);
 }
 
+// False only where the cubic is certain not to rise above 0 in [0, len]: its Bernstein coefficients there, between
+// whose smallest and largest it stays, are at most 0.
+bool mayRise(Cubic g, float len) {
+  const float kThird = 1.0f / 3.0f;
+  float b = kThird * g.b * len;
+  float c = kThird * g.c * len * len;
+  float b1 = g.a + b;
+  float b2 = b1 + b + c;
+  return g.a > 0.0f || b1 > 0.0f || b2 > 0.0f || cubicAt(g, len) > 0.0f;
+}
+
 struct Bracket {  // g <= 0 at low (unless low = high), g > 0 at high, monotone between
   bool found;
   float low;

@@ -240,31 +240,83 @@ TEST(ShaderMath, BoxSpanIsTheSlabTest) {
 
 TEST(ShaderMath, CubeExitLiesOnTheFaceAndEntersTheCellBehindIt) {
   // The ray leaves the cube of cells less than `radius` away on one of its faces, not before any other, and the next
-  // cell is the one behind that face where the ray is.
+  // cell is the one behind that face where the ray is; in any of the eight octants.
   Random random;
+  const glm::vec3 lastCell(40, 37, 50);
   for (int round = 0; round < 3000; ++round) {
     const glm::ivec3 cell(15, 19, 12);
     const int radius = 1 + round % 7;
     const glm::vec3 p = glm::dvec3(cell) + random.vector(0, 1);
     const glm::vec3 d = glm::normalize(random.vector(-1, 1));
-    const glsl::CubeExit leave = glsl::cubeExit(p, d, 1.0f / d, cell, radius);
+    const glsl::Walk walk = glsl::makeWalk(p, d, 1.0f / d, lastCell);
+    // Turning is its own inverse.
+    const glm::vec3 turned = glsl::gridCell(walk, cell);
+    ASSERT_EQ(glm::ivec3(glsl::gridCell(walk, turned)), cell);
+    const glsl::CubeExit leave = glsl::cubeExit(walk, turned, static_cast<float>(radius));
+    const glm::ivec3 next(glsl::gridCell(walk, leave.next));
     const glm::dvec3 at = glm::dvec3(p) + static_cast<double>(leave.t) * glm::dvec3(d);
     const glm::dvec3 low = glm::dvec3(cell - (radius - 1)), high = glm::dvec3(cell + radius);
-    ASSERT_GE(leave.t, 0);
+    ASSERT_GE(leave.t, -1e-5);
+    if (radius == 1) {
+      ASSERT_EQ(leave.t, glsl::cellExit(walk, turned));
+    }
     int outside = 0;
     for (int axis = 0; axis < 3; ++axis) {
       ASSERT_GE(at[axis], low[axis] - 1e-5);
       ASSERT_LE(at[axis], high[axis] + 1e-5);
-      if (leave.next[axis] < low[axis] || leave.next[axis] >= high[axis]) {
+      ASSERT_GE(leave.next[axis], turned[axis]);
+      if (next[axis] < low[axis] || next[axis] >= high[axis]) {
         ++outside;
         ASSERT_NEAR(at[axis], d[axis] > 0 ? high[axis] : low[axis], 1e-5);
-        ASSERT_EQ(leave.next[axis], d[axis] > 0 ? cell[axis] + radius : cell[axis] - radius);
+        ASSERT_EQ(next[axis], d[axis] > 0 ? cell[axis] + radius : cell[axis] - radius);
       } else {
-        ASSERT_NEAR(at[axis], leave.next[axis] + 0.5, 0.5 + 1e-5);
+        ASSERT_NEAR(at[axis], next[axis] + 0.5, 0.5 + 1e-5);
       }
     }
-    ASSERT_EQ(outside, 1);
+    ASSERT_GE(outside, 1);
   }
+}
+
+TEST(ShaderMath, ARayThroughEdgesAndCornersNeverGoesBack) {
+  // Rays through lattice points, where rounding decides on which side of a face they are, leave the grid after at most
+  // as many cells as it has along its axes, and never enter a cell that they left.
+  const glm::vec3 lastCell(30, 30, 30);
+  Random random;
+  for (int round = 0; round < 2000; ++round) {
+    const glm::vec3 through = glm::floor(glm::vec3(random.vector(1, 30)));
+    const glm::vec3 slope = glm::floor(glm::vec3(random.vector(-4, 5)));
+    if (slope == glm::vec3(0)) continue;
+    const glm::vec3 d = glm::normalize(slope + glm::vec3(1e-9f));
+    const glsl::Walk walk = glsl::makeWalk(through, d, 1.0f / d, lastCell);
+    glm::vec3 cell = glm::clamp(glm::floor(walk.origin), glm::vec3(0), lastCell);
+    int steps = 0;
+    while (glm::all(glm::lessThanEqual(cell, lastCell))) {
+      const glm::vec3 next = glsl::cubeExit(walk, cell, 1).next;
+      ASSERT_TRUE(glm::all(glm::greaterThanEqual(next, cell)));
+      ASSERT_NE(next, cell);
+      cell = next;
+      ASSERT_LE(++steps, 93);
+    }
+  }
+}
+
+TEST(ShaderMath, ACubicThatRisesIsNeverRuledOut) {
+  // mayRise() holds wherever firstRise() finds a crossing, and rules out more than half of the cubics that have none.
+  Random random;
+  int rising = 0, ruledOut = 0, others = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const glm::vec3 bcd = random.vector(-1, 1);
+    const glsl::Cubic cubic{static_cast<float>(-random.vector(0, 1).x), bcd.x, bcd.y, bcd.z};
+    const auto len = static_cast<float>(random.vector(0, 1.7).x);
+    const bool rises = glsl::firstRise(cubic, len).found;
+    const bool may = glsl::mayRise(cubic, len);
+    ASSERT_TRUE(may || !rises) << cubic.a << ' ' << bcd.x << ' ' << bcd.y << ' ' << bcd.z << ' ' << len;
+    rising += rises;
+    others += !rises;
+    ruledOut += !may;
+  }
+  EXPECT_GT(rising, 1000);
+  EXPECT_GT(ruledOut, others / 2);
 }
 
 }  // namespace
