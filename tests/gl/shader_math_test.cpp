@@ -287,7 +287,8 @@ TEST(ShaderMath, ARayThroughEdgesAndCornersNeverGoesBack) {
     const glm::vec3 slope = glm::floor(glm::vec3(random.vector(-4, 5)));
     if (slope == glm::vec3(0)) continue;
     const glm::vec3 d = glm::normalize(slope + glm::vec3(1e-9f));
-    const glsl::Walk walk = glsl::makeWalk(through, d, 1.0f / d, lastCell);
+    const glm::vec3 start = glm::clamp(through - static_cast<float>(random(0, 9)) * d, glm::vec3(0), glm::vec3(31));
+    const glsl::Walk walk = glsl::makeWalk(start, d, 1.0f / d, lastCell);
     glm::vec3 cell = glm::clamp(glm::floor(walk.origin), glm::vec3(0), lastCell);
     int steps = 0;
     while (glm::all(glm::lessThanEqual(cell, lastCell))) {
