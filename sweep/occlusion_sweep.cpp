@@ -97,7 +97,7 @@ SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& opti
     return fields;
   }
   fields.distance = Grid<float>(level.size, level.spacing, level.origin);
-  startDistance(level, fields.distance.view());
+  startDistance(level, fields.distance.view(), options.start);
   WavefrontSweeper sweeper(level.size, makeSweepMetric(level.spacing));
   fields.visibility = sweepRound(sweeper, fields.distance.view(), options.visibility);
   for (int round = 1; round < options.rounds; ++round)

@@ -18,6 +18,7 @@
 
 #include "grid.h"
 #include "octants.h"
+#include "surface_start.h"
 
 namespace isolume {
 
@@ -35,6 +36,7 @@ enum class DistanceSolver {
 struct SweepOptions {
   VisibilityStorage visibility = VisibilityStorage::rgba8;
   DistanceSolver solver = DistanceSolver::godunov;
+  DistanceStart start = DistanceStart::better;  ///< godunov: the samples next to the surface
   /// godunov: rounds of eight distance sweeps, >= 1; the paper's is 1. Visibility is swept in the first round.
   int rounds = 1;
 };

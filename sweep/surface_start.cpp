@@ -8,8 +8,20 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "better_start.h"
 #include "parallel.h"
 #include "surface_row.h"
+
+#ifndef ISOLUME_SURFACE_START_ROW
+#define ISOLUME_SURFACE_START_ROW
+namespace isolume {
+// How far a row was done in vectors.
+struct InnerRow {
+  int end;       // the first x that is left to do
+  bool crossed;  // may any value be fixed?
+};
+}  // namespace isolume
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
@@ -29,13 +41,14 @@ HWY_INLINE FloatVec nearer(FloatVec best, FloatVec here, FloatVec there, float s
   return hn::IfThenElse(hn::MaskFromVec(crossed), hn::Min(best, along), best);
 }
 
-// Vectors from x = 1 on that stay clear of the last voxel; returns the first x that is left to do.
-int startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, int count, float* out) {
+// Vectors from x = 1 on that stay clear of the last voxel.
+InnerRow startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, int count, float* out) {
   const FloatTag d;
   const hn::RebindToUnsigned<FloatTag> du;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto zero = hn::Zero(d);
   int x = 1;
+  bool crossed = false;
   for (; x + lanes < count; x += lanes) {
     const auto here = hn::LoadU(d, rows.here + x);
     const FloatVec there[6] = {hn::LoadU(d, rows.here + x - 1), hn::LoadU(d, rows.here + x + 1),
@@ -54,6 +67,7 @@ int startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, int count, float
       hn::StoreU(insideSign, d, out + x);
       continue;
     }
+    crossed = true;
     auto best = unset;
     best = nearer(best, here, there[0], spacing.x);
     best = nearer(best, here, there[1], spacing.x);
@@ -67,7 +81,7 @@ int startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, int count, float
     const auto tagged = hn::Or(hn::AndNot(hn::Set(du, kFixedBit), magnitude), tag);
     hn::StoreU(hn::CopySignToAbs(hn::BitCast(d, tagged), insideSign), d, out + x);
   }
-  return x;
+  return {x, crossed};
 }
 
 }  // namespace isolume::HWY_NAMESPACE
@@ -78,7 +92,7 @@ namespace isolume {
 
 HWY_EXPORT(startInnerRow);
 
-void startDistance(GridView<const float> level, GridView<float> distance) {
+void startDistance(GridView<const float> level, GridView<float> distance, DistanceStart start) {
   const glm::ivec3 size = level.size;
   const double smallest = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
   const glm::vec3 spacing(level.spacing / smallest);
@@ -92,12 +106,20 @@ void startDistance(GridView<const float> level, GridView<float> distance) {
       const bool onBorder = y == 0 || z == 0 || y + 1 == size.y || z + 1 == size.z;
       const RowNeighbours rows{here, y > 0 ? here - strideY : here, y + 1 < size.y ? here + strideY : here,
                                z > 0 ? here - strideZ : here, z + 1 < size.z ? here + strideZ : here};
+      bool crossed = false;
+      const auto startOne = [&](int x) {
+        out[x] = startValueAt(rows, spacing, size.x, x, onBorder);
+        crossed |= isFixed(out[x]);
+      };
       int done = 0;
       if (!onBorder) {
-        out[0] = startValueAt(rows, spacing, size.x, 0, false);
-        done = HWY_DYNAMIC_DISPATCH(startInnerRow)(rows, spacing, size.x, out);
+        startOne(0);
+        const auto inner = HWY_DYNAMIC_DISPATCH(startInnerRow)(rows, spacing, size.x, out);
+        done = inner.end;
+        crossed |= inner.crossed;
       }
-      for (int x = done; x < size.x; ++x) out[x] = startValueAt(rows, spacing, size.x, x, onBorder);
+      for (int x = done; x < size.x; ++x) startOne(x);
+      if (crossed && start == DistanceStart::better) betterStartRow(level, spacing, y, z, out);
     }
   });
 }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "support/plain_start.h"
+
 namespace isolume::test {
 namespace {
 
@@ -27,7 +29,7 @@ struct State {
   bool inside(int x, int y, int z) const { return level(x, y, z) > 0; }
 };
 
-void start(State& state) {
+void start(State& state, DistanceStart kind) {
   const glm::ivec3 n = state.level.size;
   for (int z = 0; z < n.z; ++z)
     for (int y = 0; y < n.y; ++y)
@@ -48,7 +50,10 @@ void start(State& state) {
           }
         const std::size_t i = state.level.index(x, y, z);
         state.fixed[i] = best < kUnset;
-        state.magnitude[i] = withLastBit(std::max(best, kSmallest), state.fixed[i]);
+        best = std::max(best, kSmallest);
+        if (state.fixed[i] && kind == DistanceStart::better)
+          best = plainBetterStart(state.level, state.h, {x, y, z}, withLastBit(best, true));
+        state.magnitude[i] = withLastBit(best, state.fixed[i]);
       }
 }
 
@@ -80,12 +85,12 @@ float plainUpdate(glm::vec3 neighbours, glm::dvec3 spacing) {
   return a1 + ((w2 * b + w3 * c) + root) / ((w1 + w2) + w3);
 }
 
-PlainFields plainSweep(GridView<const float> level, int rounds) {
+PlainFields plainSweep(GridView<const float> level, int rounds, DistanceStart kind) {
   const glm::ivec3 n = level.size;
   const double smallest = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
   const glm::dvec3 h = level.spacing / smallest;
   State state{level, glm::vec3(h), std::vector<float>(level.count()), std::vector<bool>(level.count())};
-  start(state);
+  start(state, kind);
 
   const double inverseSum = 1 / h.x + 1 / h.y + 1 / h.z;
   glm::vec3 weight(1 / h.x / inverseSum, 1 / h.y / inverseSum, 0);
