@@ -119,14 +119,14 @@ void loadTileOnTarget(const OctantWalk& walk, TileOrigin origin, const float* gr
         const float* row = rowOf(lane);
         visitRest(nx, lane, full, [&](int x) { at(x) = row[x * walk.strideX]; });
       } else {
-        visitRest(nx, lane, full, [&](int x) { at(x) = kUnsetDistance; });
+        visitRest(nx, lane, full, [&](int x) { at(x) = kOutsideDistance; });
       }
     }
     for (int t = full.first; t < full.last; t += lanes) {
       FloatVec rows[kMaxLanes];
       for (int lane = 0; lane < kMaxLanes; ++lane) {
         const bool exists = planeExists && lane < rowCount;
-        rows[lane] = exists ? loadRow(rowOf(lane), walk.strideX, t - lane) : hn::Set(d, kUnsetDistance);
+        rows[lane] = exists ? loadRow(rowOf(lane), walk.strideX, t - lane) : hn::Set(d, kOutsideDistance);
       }
       transpose(rows);
       for (int i = 0; i < kMaxLanes; ++i) hn::Store(rows[i], d, steps + static_cast<std::ptrdiff_t>(t + i) * lanes);

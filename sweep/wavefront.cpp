@@ -29,7 +29,7 @@ struct Handover {
   }
   /// What lies outside the grid hands on.
   void reset() {
-    std::fill_n(distance.get(), count, kUnsetDistance);
+    std::fill_n(distance.get(), count, kOutsideDistance);
     std::fill_n(light.get(), count, 1.0F);
   }
 };
@@ -62,7 +62,7 @@ WavefrontSweeper::WavefrontSweeper(glm::ivec3 size, const SweepMetric& metric)
   storage_->outsideRow = Handover(rows);
   storage_->blocks.resize(static_cast<std::size_t>(blocksOf(size.y, lanes)));
   for (Block& block : storage_->blocks) {
-    block.distance = makeFilled(storage_->tileCount, kUnsetDistance);
+    block.distance = makeFilled(storage_->tileCount, kOutsideDistance);
     block.carried = Handover(steps);
     for (Handover& row : block.lastRow) row = Handover(rows);
   }
@@ -97,8 +97,8 @@ void WavefrontSweeper::sweep(const Octant& octant, float* distance, VisibilityTa
     buffers.lastRowDistance = block.lastRow[parity].distance.get();
     buffers.lastRowLight = block.lastRow[parity].light.get();
     loadTile(walk, origin, distance, buffers.distance);
-    sweepTile(buffers, metric_, size_.x);
-    storeTile(walk, origin, buffers.distance, distance);
+    buffers.rowLength = size_.x;
+    if (sweepTile(buffers, metric_, {0, size_.x})) storeTile(walk, origin, buffers.distance, distance);
     if (visibility.as8) storeTile(walk, origin, buffers.visibility, visibility.as8);
     if (visibility.asFloat) storeTile(walk, origin, buffers.visibility, visibility.asFloat);
   };
