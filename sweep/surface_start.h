@@ -32,10 +32,13 @@ enum class DistanceStart {
            ///< average
 };
 
-/// Fills `distance` (same size as `level`). A sample whose six neighbours are on its own side is unset, with the sign
+/// Start values of the row (y, z). A sample whose six neighbours are on its own side is unset: +-`unset` with the sign
 /// of its side. Otherwise the value is fixed: |value| is the smallest distance to a crossing of the linear interpolant
-/// along the crossed edges or, with `better`, a smaller one. A sample inside the solid on the border of the grid lies
-/// on the cap: 0. O(n), threaded.
+/// along the crossed edges or, with `better`, a smaller one, and never above `unset`. A sample inside the solid on the
+/// border of the grid lies on the cap: 0. Returns whether any may be fixed. `unset` is even: its fixed bit is clear.
+bool startRow(GridView<const float> level, DistanceStart start, float unset, int y, int z, float* row);
+
+/// startRow() for all rows of `distance` (same size as `level`). O(n), threaded.
 void startDistance(GridView<const float> level, GridView<float> distance, DistanceStart start);
 
 }  // namespace isolume

@@ -7,6 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "light_tile.h"
 #include "surface_start.h"
 #include "upwind_update-inl.h"
 
@@ -14,9 +15,6 @@ HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
 
 int lanesOfTarget() { return static_cast<int>(hn::Lanes(FloatTag())); }
-
-// Light below this is dark: keeps the exponential decay of deep shadow out of the slow denormal numbers.
-constexpr float kDarkest = 1e-20F;
 
 template <bool kIsotropic, bool kLight>
 bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, TileSpan span) {

@@ -52,8 +52,8 @@ struct TileBuffers {
 
 /// Steps before the first that every buffer holds, so that staggered planes need no special case.
 inline constexpr int frontPad() { return kTilePlanes; }
-/// Steps that a buffer holds in all, for rows of nx voxels.
-inline int paddedSteps(int nx, int lanes) { return frontPad() + nx + lanes + kTilePlanes; }
+/// Steps that a buffer holds in all, for rows of nx voxels: whole blocks of `lanes` steps are loaded.
+inline int paddedSteps(int nx, int lanes) { return frontPad() + nx + 2 * lanes + kTilePlanes; }
 /// Room of a [step] row buffer before its step 0: the last lane lags behind by lanes - 1 steps.
 inline int rowFrontPad(int lanes) { return frontPad() + 2 * lanes; }
 inline int paddedRow(int nx, int lanes) { return rowFrontPad(lanes) + nx + lanes + kTilePlanes; }

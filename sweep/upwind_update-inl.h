@@ -112,7 +112,9 @@ HWY_INLINE FloatMask mayLower(FloatVec magnitude, const Upwind& a, const VectorM
   const auto lowers = hn::AndNot(fixed, hn::Ge(sum, hn::Set(d, kAlmostOne)));
   if constexpr (kIsotropic) return lowers;
   const auto nearest = hn::Min(hn::Min(hn::Add(a.x, metric.hx), hn::Add(a.y, metric.hy)), hn::Add(a.z, metric.hz));
-  return hn::Or(lowers, hn::And(fixed, hn::Lt(nearest, magnitude)));
+  // Start values only: what lies outside the grid is fixed too.
+  const auto start = hn::And(fixed, hn::Lt(magnitude, hn::Set(d, kUnsetDistance)));
+  return hn::Or(lowers, hn::And(start, hn::Lt(nearest, magnitude)));
 }
 
 // The closed form, at equal spacings; `a` sorted. One root: the case is chosen before.
