@@ -5,6 +5,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/tile_io.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -76,18 +77,17 @@ HWY_INLINE T* memoryStart(T* row, std::ptrdiff_t strideX, int x, int lanes) {
   return strideX > 0 ? row + x : row - x - (lanes - 1);
 }
 
+// Parts of a row in memory order, which is against the canonical one if the walk runs against it. Hence transposed
+// vectors are taken from the last to the first; no vector is reversed.
 HWY_INLINE FloatVec loadPart(const float* row, std::ptrdiff_t strideX, RowPart part) {
   const FloatTag d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  if (part.whole(lanes)) {
-    const auto values = hn::LoadU(d, memoryStart(row, strideX, part.x, lanes));
-    return strideX > 0 ? values : hn::Reverse(d, values);
-  }
+  if (part.whole(lanes)) return hn::LoadU(d, memoryStart(row, strideX, part.x, lanes));
   if (part.empty(lanes)) return hn::Set(d, kOutsideDistance);
   alignas(64) float values[kMaxLanes];
   for (int i = 0; i < lanes; ++i) {
     const int x = part.x + i;
-    values[i] = x >= 0 && x < part.count ? row[x * strideX] : kOutsideDistance;
+    values[strideX > 0 ? i : lanes - 1 - i] = x >= 0 && x < part.count ? row[x * strideX] : kOutsideDistance;
   }
   return hn::Load(d, values);
 }
@@ -100,39 +100,50 @@ HWY_INLINE void storeWhole(FloatVec values, std::uint8_t* to) {
 }
 template <class T>
 HWY_INLINE void storePart(FloatVec values, T* row, std::ptrdiff_t strideX, RowPart part) {
-  const FloatTag d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  if (part.whole(lanes)) {
-    const auto ordered = strideX > 0 ? values : hn::Reverse(d, values);
-    return storeWhole(ordered, memoryStart(row, strideX, part.x, lanes));
-  }
-  T ordered[kMaxLanes];
-  storeWhole(values, ordered);
+  const int lanes = static_cast<int>(hn::Lanes(FloatTag()));
+  if (part.whole(lanes)) return storeWhole(values, memoryStart(row, strideX, part.x, lanes));
+  T inMemory[kMaxLanes];
+  storeWhole(values, inMemory);
   for (int i = std::max(0, -part.x); i < std::min(lanes, part.count - part.x); ++i)
-    row[(part.x + i) * strideX] = ordered[i];
+    row[(part.x + i) * strideX] = inMemory[strideX > 0 ? i : lanes - 1 - i];
 }
 
-// Calls visit(t) for blocks of lanes steps that cover all that a sweep of the span looks at.
+// Calls visit(t, whole) for blocks of lanes steps that cover all that a sweep of the span looks at; whole: in all of
+// them every lane lies within the span.
 template <class Visit>
 HWY_INLINE void visitSteps(TileSpan span, int lanes, const Visit& visit) {
-  for (int t = 0; t < span.count + lanes - 1 + kTilePlanes; t += lanes) visit(t);
+  for (int t = 0; t < span.count + lanes - 1 + kTilePlanes; t += lanes)
+    visit(t, t >= lanes - 1 && t + lanes <= span.count);
 }
 
 // One plane of a tile, canonical z, to [step][lane].
 HWY_INLINE void loadPlane(const OctantWalk& walk, int y, int z, TileSpan span, const float* grid, float* steps) {
   const FloatTag d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
+  constexpr int lanes = kMaxLanes;
   const bool planeExists = z >= 0 && z < walk.size.z;
+  const bool allRows = planeExists && y >= 0 && y + lanes <= walk.size.y;
+  const bool nextExists = z + 1 >= 0 && z + 1 < walk.size.z;
+  const bool forward = walk.strideX > 0;
   const float* start = grid + walk.start + z * walk.strideZ + span.first * walk.strideX;
-  visitSteps(span, lanes, [&](int t) {
-    FloatVec rows[kMaxLanes];
-    for (int lane = 0; lane < lanes; ++lane) {
-      const bool exists = planeExists && y + lane >= 0 && y + lane < walk.size.y;
-      rows[lane] = exists ? loadPart(start + (y + lane) * walk.strideY, walk.strideX, {t - lane, span.count})
-                          : hn::Set(d, kOutsideDistance);
+  visitSteps(span, lanes, [&](int t, bool whole) {
+    FloatVec rows[lanes];
+    if (whole && allRows) {
+      // Lane by lane one row further and one voxel back.
+      const float* first = memoryStart(start + y * walk.strideY, walk.strideX, t, lanes);
+      const std::ptrdiff_t step = walk.strideY - walk.strideX;
+      for (int lane = 0; lane < lanes; ++lane) rows[lane] = hn::LoadU(d, first + lane * step);
+      if (nextExists)
+        for (int lane = 0; lane < lanes; ++lane) hwy::Prefetch(first + walk.strideZ + lane * step);
+    } else {
+      for (int lane = 0; lane < lanes; ++lane) {
+        const bool exists = planeExists && y + lane >= 0 && y + lane < walk.size.y;
+        rows[lane] = exists ? loadPart(start + (y + lane) * walk.strideY, walk.strideX, {t - lane, span.count})
+                            : hn::Set(d, kOutsideDistance);
+      }
     }
     transpose(rows);
-    for (int i = 0; i < lanes; ++i) hn::Store(rows[i], d, steps + static_cast<std::ptrdiff_t>(t + i) * lanes);
+    for (int i = 0; i < lanes; ++i)
+      hn::Store(rows[forward ? i : lanes - 1 - i], d, steps + static_cast<std::ptrdiff_t>(t + i) * lanes);
   });
 }
 
@@ -153,17 +164,26 @@ void loadCarriedOnTarget(const OctantWalk& walk, TileOrigin origin, TileSpan spa
 template <class T>
 void storeTileAs(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, T* grid) {
   const FloatTag d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
+  constexpr int lanes = kMaxLanes;
+  const bool forward = walk.strideX > 0;
+  const bool allRows = origin.y >= 0 && origin.y + lanes <= walk.size.y;
   for (int plane = 0; plane < kTilePlanes; ++plane) {
     const int z = origin.z + plane;
     if (z < 0 || z >= walk.size.z) continue;
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(plane) * paddedSteps(walk.size.x, lanes) + frontPad();
     const float* steps = buffer + at * lanes;
     T* start = grid + walk.start + z * walk.strideZ + span.first * walk.strideX;
-    visitSteps(span, lanes, [&](int t) {
-      FloatVec rows[kMaxLanes];
-      for (int i = 0; i < lanes; ++i) rows[i] = hn::Load(d, steps + static_cast<std::ptrdiff_t>(t + i) * lanes);
+    visitSteps(span, lanes, [&](int t, bool whole) {
+      FloatVec rows[lanes];
+      for (int i = 0; i < lanes; ++i)
+        rows[i] = hn::Load(d, steps + static_cast<std::ptrdiff_t>(t + (forward ? i : lanes - 1 - i)) * lanes);
       transpose(rows);
+      if (whole && allRows) {
+        T* first = memoryStart(start + origin.y * walk.strideY, walk.strideX, t, lanes);
+        const std::ptrdiff_t step = walk.strideY - walk.strideX;
+        for (int lane = 0; lane < lanes; ++lane) storeWhole(rows[lane], first + lane * step);
+        return;
+      }
       for (int lane = std::max(0, -origin.y); lane < std::min(lanes, walk.size.y - origin.y); ++lane) {
         const RowPart part{t - lane, span.count};
         if (!part.empty(lanes)) storePart(rows[lane], start + (origin.y + lane) * walk.strideY, walk.strideX, part);
