@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "band_cells.h"
 #include "closest/closest_distance.h"
+#include "distance_sweeper.h"
+#include "light_sweeper.h"
 #include "parallel.h"
 #include "surface_start.h"
-#include "wavefront.h"
 
 namespace isolume {
 namespace {
@@ -15,18 +17,12 @@ namespace {
 float smallestOf(glm::dvec3 spacing) { return static_cast<float>(std::min({spacing.x, spacing.y, spacing.z})); }
 
 // From the sweep's units and tags to world units; what was never reached is infinitely far.
-void finishDistance(GridView<float> distance) {
-  const float smallestSpacing = smallestOf(distance.spacing);
-  const std::size_t perPlane = voxelCount({distance.size.x, distance.size.y, 1});
-  parallelFor(static_cast<std::size_t>(distance.size.z), [&](std::size_t z) {
-    float* plane = distance.data + z * perPlane;
-    for (std::size_t i = 0; i < perPlane; ++i) {
-      const float value = withFixedBit(plane[i], false);
-      const float world = value * smallestSpacing;
-      plane[i] =
-          std::abs(value) < kUnsetDistance ? world : std::copysign(std::numeric_limits<float>::infinity(), value);
-    }
-  });
+void finishRow(float* row, int count, float smallestSpacing) {
+  for (int x = 0; x < count; ++x) {
+    const float value = withFixedBit(row[x], false);
+    const float world = value * smallestSpacing;
+    row[x] = std::abs(value) < kUnsetDistance ? world : std::copysign(std::numeric_limits<float>::infinity(), value);
+  }
 }
 
 // Interleaves four byte planes to one RGBA8 grid and frees them.
@@ -45,64 +41,127 @@ Grid<glm::u8vec4> interleave(std::array<Grid<std::uint8_t>, 4>& channels, GridVi
   return packed;
 }
 
-// The other way: every distance fixed, but for those that are infinite.
-Grid<float> fixedDistance(GridView<const float> distance) {
-  Grid<float> fixed(distance.size, distance.spacing, distance.origin);
-  const float perSmallest = 1 / smallestOf(distance.spacing);
-  const std::size_t perPlane = voxelCount({distance.size.x, distance.size.y, 1});
-  parallelFor(static_cast<std::size_t>(distance.size.z), [&](std::size_t z) {
-    for (std::size_t i = z * perPlane; i < (z + 1) * perPlane; ++i) {
-      const float value = distance.data[i];
-      const bool known = std::isfinite(value);
-      const float magnitude = known ? std::max(std::abs(value) * perSmallest, kSmallestDistance) : kUnsetDistance;
-      fixed.data()[i] = std::copysign(withFixedBit(magnitude, known), value);
+// The octants of a storage while they are swept, two at a time.
+class OctantWriter {
+ public:
+  OctantWriter(GridView<const float> like, VisibilityStorage storage) : like_(like), storage_(storage) {}
+
+  std::array<VisibilityTarget, 2> targets(int pair) {
+    std::array<VisibilityTarget, 2> targets;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::size_t s = 2 * static_cast<std::size_t>(pair) + k;
+      if (storage_ == VisibilityStorage::rgba8) {
+        channels_[s % 4] = Grid<std::uint8_t>(like_.size);
+        targets[k].as8 = channels_[s % 4].data();
+      } else if (storage_ == VisibilityStorage::float32) {
+        visibility_.octants[s] = Grid<float>(like_.size, like_.spacing, like_.origin);
+        targets[k].asFloat = visibility_.octants[s].data();
+      }
     }
+    return targets;
+  }
+  /// After the pair has been swept.
+  void finish(int pair) {
+    const bool gridIsComplete = pair % 2 == 1;
+    if (storage_ == VisibilityStorage::rgba8 && gridIsComplete)
+      visibility_.packed[static_cast<std::size_t>(pair) / 2] = interleave(channels_, like_);
+  }
+  OctantVisibility take() { return std::move(visibility_); }
+
+ private:
+  GridView<const float> like_;
+  VisibilityStorage storage_;
+  OctantVisibility visibility_;
+  std::array<Grid<std::uint8_t>, 4> channels_;
+};
+
+constexpr int kOctantPairs = kOctantCount / 2;
+
+// Start values are made as the first sweep comes to a tile, and world units as the last leaves it.
+SweptFields sweepWholeDomain(GridView<const float> level, const SweepOptions& options) {
+  SweptFields fields;
+  fields.distance = Grid<float>(level.size, level.spacing, level.origin);
+  const GridView<float> distance = fields.distance.view();
+  const float smallest = smallestOf(level.spacing);
+  const auto rowOf = [&](int y, int z) { return distance.data + z * distance.strideZ() + y * distance.strideY(); };
+  const RowHook start = [&](int y, int z) { startRow(level, options.start, kUnsetDistance, y, z, rowOf(y, z)); };
+  const RowHook finish = [&](int y, int z) { finishRow(rowOf(y, z), level.size.x, smallest); };
+  const bool once = options.rounds == 1;
+
+  DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing));
+  OctantWriter octants(distance, options.visibility);
+  for (int pair = 0; pair < kOctantPairs; ++pair) {
+    const bool last = pair == kOctantPairs - 1;
+    sweeper.sweepPair(pair, octants.targets(pair), pair == 0 ? start : RowHook(), last && once ? finish : RowHook());
+    octants.finish(pair);
+  }
+  fields.visibility = octants.take();
+  if (once) return fields;
+  for (int round = 1; round < options.rounds; ++round)
+    if (!sweeper.sweepRound()) break;
+  parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t z) {
+    for (int y = 0; y < level.size.y; ++y) finish(y, static_cast<int>(z));
   });
-  return fixed;
+  return fields;
 }
 
-// Eight sweeps in place, and what of their light is to be kept.
-OctantVisibility sweepRound(WavefrontSweeper& sweeper, GridView<float> distance, VisibilityStorage storage) {
-  OctantVisibility visibility;
-  std::array<Grid<std::uint8_t>, 4> channels;
-  for (std::size_t s = 0; s < kOctants.size(); ++s) {
-    VisibilityTarget target;
-    if (storage == VisibilityStorage::rgba8) {
-      channels[s % 4] = Grid<std::uint8_t>(distance.size);
-      target.as8 = channels[s % 4].data();
-    } else if (storage == VisibilityStorage::float32) {
-      visibility.octants[s] = Grid<float>(distance.size, distance.spacing, distance.origin);
-      target.asFloat = visibility.octants[s].data();
-    }
-    sweeper.sweep(kOctants[s], distance.data, target);
-    if (storage == VisibilityStorage::rgba8 && s % 4 == 3) visibility.packed[s / 4] = interleave(channels, distance);
-  }
-  return visibility;
+// Values start at the bound in place of unset: what they come to below it is the same (upwind_update-inl.h).
+Grid<float> sweepBand(GridView<const float> level, const SweepOptions& options) {
+  Grid<float> grid(level.size, level.spacing, level.origin);
+  const GridView<float> distance = grid.view();
+  const float smallest = smallestOf(level.spacing);
+  const auto bound = static_cast<float>(options.bandVoxels + 1);
+  const auto rowOf = [&](int y, int z) { return distance.data + z * distance.strideZ() + y * distance.strideY(); };
+
+  BandCells cells(level.size);
+  parallelFor(static_cast<std::size_t>(cells.layers()), [&](std::size_t layer) {
+    const int first = static_cast<int>(layer) * BandCells::kCell.z;
+    for (int z = first; z < std::min(first + BandCells::kCell.z, level.size.z); ++z)
+      for (int y = 0; y < level.size.y; ++y)
+        if (startRow(level, options.start, bound, y, z, rowOf(y, z))) cells.markRow(y, z, rowOf(y, z));
+  });
+  cells.grow(level.spacing / static_cast<double>(smallest), bound);
+
+  DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing));
+  const TileGrid& tiles = sweeper.tiles();
+  std::vector<std::vector<TileSpan>> spans(tiles.count());
+  parallelFor(static_cast<std::size_t>(tiles.layers), [&](std::size_t layer) {
+    for (int block = 0; block < tiles.blocks; ++block)
+      spans[tiles.index(block, static_cast<int>(layer))] = cells.spans(tiles, block, static_cast<int>(layer));
+  });
+  for (int round = 0; round < options.rounds; ++round)
+    if (!sweeper.sweepRound(&spans)) break;
+
+  parallelFor(tiles.count(), [&](std::size_t index) {
+    if (spans[index].empty() && smallest == 1) return;  // the bound needs no change
+    const int firstY = static_cast<int>(index % static_cast<std::size_t>(tiles.blocks)) * tiles.lanes;
+    const int firstZ = static_cast<int>(index / static_cast<std::size_t>(tiles.blocks)) * kTilePlanes;
+    for (int z = firstZ; z < std::min(firstZ + kTilePlanes, level.size.z); ++z)
+      for (int y = firstY; y < std::min(firstY + tiles.lanes, level.size.y); ++y)
+        finishRow(rowOf(y, z), level.size.x, smallest);
+  });
+  return grid;
 }
 
 }  // namespace
 
 OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage) {
-  Grid<float> fixed = fixedDistance(distance);
-  WavefrontSweeper sweeper(distance.size, makeSweepMetric(distance.spacing));
-  return sweepRound(sweeper, fixed.view(), storage);
+  LightSweeper sweeper(distance);
+  OctantWriter octants(distance, storage);
+  for (int pair = 0; pair < kOctantPairs; ++pair) {
+    sweeper.sweepPair(pair, octants.targets(pair));
+    octants.finish(pair);
+  }
+  return octants.take();
 }
 
 SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options) {
+  const bool band = options.extent == DistanceExtent::band;
+  if (options.solver == DistanceSolver::godunov && !band) return sweepWholeDomain(level, options);
   SweptFields fields;
-  if (options.solver == DistanceSolver::closest) {
-    fields.distance = closestDistance(level);
-    if (options.visibility != VisibilityStorage::none)
-      fields.visibility = sweepVisibility(fields.distance.view(), options.visibility);
-    return fields;
-  }
-  fields.distance = Grid<float>(level.size, level.spacing, level.origin);
-  startDistance(level, fields.distance.view());
-  WavefrontSweeper sweeper(level.size, makeSweepMetric(level.spacing));
-  fields.visibility = sweepRound(sweeper, fields.distance.view(), options.visibility);
-  for (int round = 1; round < options.rounds; ++round)
-    sweepRound(sweeper, fields.distance.view(), VisibilityStorage::none);
-  finishDistance(fields.distance.view());
+  fields.distance = options.solver == DistanceSolver::closest ? closestDistance(level) : sweepBand(level, options);
+  if (options.visibility != VisibilityStorage::none)
+    fields.visibility = sweepVisibility(fields.distance.view(), options.visibility);
   return fields;
 }
 

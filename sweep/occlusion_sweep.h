@@ -16,8 +16,10 @@
 #include <array>
 #include <glm/gtc/type_precision.hpp>
 
+#include "distance_extent.h"
 #include "grid.h"
 #include "octants.h"
+#include "surface_start.h"
 
 namespace isolume {
 
@@ -35,8 +37,15 @@ enum class DistanceSolver {
 struct SweepOptions {
   VisibilityStorage visibility = VisibilityStorage::rgba8;
   DistanceSolver solver = DistanceSolver::godunov;
-  /// godunov: rounds of eight distance sweeps, >= 1; the paper's is 1. Visibility is swept in the first round.
+  DistanceStart start = DistanceStart::better;  ///< godunov: the samples next to the surface
+  /// godunov: largest number of rounds of eight distance sweeps, >= 1; the paper's is 1. Later rounds sweep only what
+  /// may change and stop when nothing has. Visibility is swept in the first round.
   int rounds = 1;
+  /// band: |D| = min(k + 1, the |D| of `full`) in smallest spacings, bit for bit, k = bandVoxels >= 0. So D is that of
+  /// the whole domain within k voxels and more, and a lower bound of it beyond. Visibility, if asked for, is then swept
+  /// through the finished distances. Costs time where the band is.
+  DistanceExtent extent = DistanceExtent::full;
+  int bandVoxels = 3;
 };
 
 struct OctantVisibility {
@@ -53,7 +62,7 @@ struct SweptFields {
 SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options = {});
 
 /// The visibility alone, through given distances (world units, < 0 inside; +-inf where there is no surface): the same
-/// eight sweeps with every distance fixed. 4 B per voxel more while sweeping.
+/// eight sweeps with every distance fixed.
 OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage);
 
 /// Rounds eight float octants to the two RGBA8 grids of the shader.

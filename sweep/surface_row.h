@@ -20,8 +20,8 @@ inline float nearerCrossing(float best, float here, float there, float spacing) 
   return (here > 0) != (there > 0) ? std::min(best, along) : best;
 }
 
-/// startDistance() for voxel x of a row of `count`; spacing in units of the smallest.
-inline float startValueAt(const RowNeighbours& rows, glm::vec3 spacing, int count, int x, bool onBorder) {
+/// startRow() for voxel x of a row of `count`, axis minimum; spacing in units of the smallest.
+inline float startValueAt(const RowNeighbours& rows, glm::vec3 spacing, float unset, int count, int x, bool onBorder) {
   const float here = rows.here[x];
   const bool border = onBorder || x == 0 || x + 1 == count;
   float best = border && here > 0 ? 0 : kUnsetDistance;
@@ -32,7 +32,7 @@ inline float startValueAt(const RowNeighbours& rows, glm::vec3 spacing, int coun
   best = nearerCrossing(best, here, rows.zBefore[x], spacing.z);
   best = nearerCrossing(best, here, rows.zAfter[x], spacing.z);
   const bool fixed = best < kUnsetDistance;
-  const float magnitude = withFixedBit(std::max(best, kSmallestDistance), fixed);
+  const float magnitude = withFixedBit(std::min(std::max(best, kSmallestDistance), unset), fixed);
   return here > 0 ? -magnitude : magnitude;
 }
 

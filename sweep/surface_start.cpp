@@ -8,8 +8,20 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "better_start.h"
 #include "parallel.h"
 #include "surface_row.h"
+
+#ifndef ISOLUME_SURFACE_START_ROW
+#define ISOLUME_SURFACE_START_ROW
+namespace isolume {
+// How far a row was done in vectors.
+struct InnerRow {
+  int end;       // the first x that is left to do
+  bool crossed;  // may any value be fixed?
+};
+}  // namespace isolume
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
@@ -29,13 +41,14 @@ HWY_INLINE FloatVec nearer(FloatVec best, FloatVec here, FloatVec there, float s
   return hn::IfThenElse(hn::MaskFromVec(crossed), hn::Min(best, along), best);
 }
 
-// Vectors from x = 1 on that stay clear of the last voxel; returns the first x that is left to do.
-int startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, int count, float* out) {
+// Vectors from x = 1 on that stay clear of the last voxel.
+InnerRow startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, float bound, int count, float* out) {
   const FloatTag d;
   const hn::RebindToUnsigned<FloatTag> du;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto zero = hn::Zero(d);
   int x = 1;
+  bool crossed = false;
   for (; x + lanes < count; x += lanes) {
     const auto here = hn::LoadU(d, rows.here + x);
     const FloatVec there[6] = {hn::LoadU(d, rows.here + x - 1), hn::LoadU(d, rows.here + x + 1),
@@ -48,12 +61,14 @@ int startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, int count, float
       lowest = hn::Min(lowest, value);
     }
     const auto unset = hn::Set(d, kUnsetDistance);
-    const auto insideSign = hn::IfThenElse(hn::Gt(here, zero), hn::Neg(unset), unset);
+    const auto outer = hn::Set(d, bound);
+    const auto insideSign = hn::IfThenElse(hn::Gt(here, zero), hn::Neg(outer), outer);
     // Most vectors have no crossing at all.
     if (hn::AllTrue(d, hn::Le(highest, zero)) || hn::AllTrue(d, hn::Gt(lowest, zero))) {
       hn::StoreU(insideSign, d, out + x);
       continue;
     }
+    crossed = true;
     auto best = unset;
     best = nearer(best, here, there[0], spacing.x);
     best = nearer(best, here, there[1], spacing.x);
@@ -62,12 +77,12 @@ int startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, int count, float
     best = nearer(best, here, there[4], spacing.z);
     best = nearer(best, here, there[5], spacing.z);
     const auto found = hn::Lt(best, unset);
-    const auto magnitude = hn::BitCast(du, hn::Max(best, hn::Set(d, kSmallestDistance)));
+    const auto magnitude = hn::BitCast(du, hn::Min(hn::Max(best, hn::Set(d, kSmallestDistance)), outer));
     const auto tag = hn::IfThenElseZero(hn::RebindMask(du, found), hn::Set(du, kFixedBit));
     const auto tagged = hn::Or(hn::AndNot(hn::Set(du, kFixedBit), magnitude), tag);
     hn::StoreU(hn::CopySignToAbs(hn::BitCast(d, tagged), insideSign), d, out + x);
   }
-  return x;
+  return {x, crossed};
 }
 
 }  // namespace isolume::HWY_NAMESPACE
@@ -78,27 +93,37 @@ namespace isolume {
 
 HWY_EXPORT(startInnerRow);
 
-void startDistance(GridView<const float> level, GridView<float> distance) {
+bool startRow(GridView<const float> level, DistanceStart start, float unset, int y, int z, float* row) {
   const glm::ivec3 size = level.size;
-  const double smallest = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
-  const glm::vec3 spacing(level.spacing / smallest);
+  const glm::vec3 spacing(level.spacing / std::min({level.spacing.x, level.spacing.y, level.spacing.z}));
   const std::ptrdiff_t strideY = level.strideY();
   const std::ptrdiff_t strideZ = level.strideZ();
-  parallelFor(static_cast<std::size_t>(size.z), [&](std::size_t plane) {
+  const float* here = level.data + z * strideZ + y * strideY;
+  const bool onBorder = y == 0 || z == 0 || y + 1 == size.y || z + 1 == size.z;
+  const RowNeighbours rows{here, y > 0 ? here - strideY : here, y + 1 < size.y ? here + strideY : here,
+                           z > 0 ? here - strideZ : here, z + 1 < size.z ? here + strideZ : here};
+  bool crossed = false;
+  const auto startOne = [&](int x) {
+    row[x] = startValueAt(rows, spacing, unset, size.x, x, onBorder);
+    crossed |= isFixed(row[x]);
+  };
+  int done = 0;
+  if (!onBorder) {
+    startOne(0);
+    const InnerRow inner = HWY_DYNAMIC_DISPATCH(startInnerRow)(rows, spacing, unset, size.x, row);
+    done = inner.end;
+    crossed |= inner.crossed;
+  }
+  for (int x = done; x < size.x; ++x) startOne(x);
+  if (crossed && start == DistanceStart::better) betterStartRow(level, spacing, y, z, row);
+  return crossed;
+}
+
+void startDistance(GridView<const float> level, GridView<float> distance, DistanceStart start) {
+  parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t plane) {
     const int z = static_cast<int>(plane);
-    for (int y = 0; y < size.y; ++y) {
-      const float* here = level.data + z * strideZ + y * strideY;
-      float* out = distance.data + z * strideZ + y * strideY;
-      const bool onBorder = y == 0 || z == 0 || y + 1 == size.y || z + 1 == size.z;
-      const RowNeighbours rows{here, y > 0 ? here - strideY : here, y + 1 < size.y ? here + strideY : here,
-                               z > 0 ? here - strideZ : here, z + 1 < size.z ? here + strideZ : here};
-      int done = 0;
-      if (!onBorder) {
-        out[0] = startValueAt(rows, spacing, size.x, 0, false);
-        done = HWY_DYNAMIC_DISPATCH(startInnerRow)(rows, spacing, size.x, out);
-      }
-      for (int x = done; x < size.x; ++x) out[x] = startValueAt(rows, spacing, size.x, x, onBorder);
-    }
+    for (int y = 0; y < level.size.y; ++y)
+      startRow(level, start, kUnsetDistance, y, z, distance.data + z * level.strideZ() + y * level.strideY());
   });
 }
 

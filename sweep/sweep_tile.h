@@ -12,6 +12,9 @@
 
 namespace isolume {
 
+/// The distance of a voxel outside the grid: unset, and fixed so that no sweep changes it.
+inline constexpr float kOutsideDistance = 0x1.000002p60F;
+
 /// Planes of a tile that are swept together.
 inline constexpr int kTilePlanes = 4;
 
@@ -27,9 +30,16 @@ struct SweepMetric {
 };
 SweepMetric makeSweepMetric(glm::dvec3 spacing);
 
+/// The part of a tile's rows that is swept, in canonical x. What lies beside it counts as outside.
+struct TileSpan {
+  int first = 0, count = 0;
+};
+
 /// Buffers of one block of rows (all its tiles along z in turn), 64 bytes aligned by the owner. Steps are counted from
-/// -frontPad(); an entry outside the grid holds "outside": unset distance, unit light.
+/// -frontPad(), in the tile's own two buffers from the start of the span; an entry outside the grid or the span holds
+/// "outside": kOutsideDistance, unit light.
 struct TileBuffers {
+  int rowLength = 0;                   ///< of the grid: gives the sizes of all buffers
   float* distance = nullptr;           ///< [plane][step][lane], in and out
   float* visibility = nullptr;         ///< [plane][step][lane], out; nullptr: distance alone
   float* carriedDistance = nullptr;    ///< [step][lane]: plane below the tile, replaced by the tile's last plane
@@ -42,13 +52,14 @@ struct TileBuffers {
 
 /// Steps before the first that every buffer holds, so that staggered planes need no special case.
 inline constexpr int frontPad() { return kTilePlanes; }
-/// Steps that a buffer holds in all, for rows of nx voxels.
-inline int paddedSteps(int nx, int lanes) { return frontPad() + nx + lanes + kTilePlanes; }
+/// Steps that a buffer holds in all, for rows of nx voxels: whole blocks of `lanes` steps are loaded.
+inline int paddedSteps(int nx, int lanes) { return frontPad() + nx + 2 * lanes + kTilePlanes; }
 /// Room of a [step] row buffer before its step 0: the last lane lags behind by lanes - 1 steps.
 inline int rowFrontPad(int lanes) { return frontPad() + 2 * lanes; }
 inline int paddedRow(int nx, int lanes) { return rowFrontPad(lanes) + nx + lanes + kTilePlanes; }
 
-/// Sweeps one tile of rows of nx voxels: distances ([Singh10] Sec. 1.1) and, where asked for, visibility (Eq. 6, 7).
-void sweepTile(const TileBuffers& buffers, const SweepMetric& metric, int nx);
+/// Sweeps a span of one tile: distances ([Singh10] Sec. 1.1) and, where asked for, visibility (Eq. 6, 7). Returns
+/// whether any distance changed.
+bool sweepTile(const TileBuffers& buffers, const SweepMetric& metric, TileSpan span);
 
 }  // namespace isolume

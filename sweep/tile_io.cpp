@@ -5,6 +5,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/tile_io.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -63,107 +64,140 @@ HWY_INLINE void transpose(FloatVec* rows) {
 }
 #endif
 
-// Steps [first, last) in which all lanes of a whole vector of steps lie within the row.
-struct FullSteps {
-  int first, last;
+// Vectors of lanes voxels of one row in canonical order, `x` the first of them; only voxels of [0, count) exist.
+struct RowPart {
+  int x, count;
+  bool whole(int lanes) const { return x >= 0 && x + lanes <= count; }
+  bool empty(int lanes) const { return x + lanes <= 0 || x >= count; }
 };
-HWY_INLINE FullSteps fullSteps(int nx, int lanes) {
-  const int first = lanes - 1;
-  const int vectors = std::max(0, nx - lanes + 1) / lanes;
-  return {first, first + vectors * lanes};
+
+// Where the row's vector starts in memory: at its last voxel if the walk runs against it.
+template <class T>
+HWY_INLINE T* memoryStart(T* row, std::ptrdiff_t strideX, int x, int lanes) {
+  return strideX > 0 ? row + x : row - x - (lanes - 1);
 }
 
-// Calls visit(x, lane) for the voxels that fullSteps() leaves out.
-template <class Visit>
-HWY_INLINE void visitRest(int nx, int lane, FullSteps full, const Visit& visit) {
-  for (int x = 0; x < std::min(nx, full.first - lane); ++x) visit(x);
-  for (int x = std::max(0, full.last - lane); x < nx; ++x) visit(x);
-}
-
-// Reads or writes `lanes` voxels of a row from canonical x on, in canonical order.
-HWY_INLINE FloatVec loadRow(const float* row, std::ptrdiff_t strideX, int x) {
-  const FloatTag d;
-  if (strideX > 0) return hn::LoadU(d, row + x);
-  return hn::Reverse(d, hn::LoadU(d, row - x - (static_cast<int>(hn::Lanes(d)) - 1)));
-}
-HWY_INLINE void storeRow(FloatVec values, float* row, std::ptrdiff_t strideX, int x) {
-  const FloatTag d;
-  if (strideX > 0) return hn::StoreU(values, d, row + x);
-  hn::StoreU(hn::Reverse(d, values), d, row - x - (static_cast<int>(hn::Lanes(d)) - 1));
-}
-HWY_INLINE void storeRow(FloatVec values, std::uint8_t* row, std::ptrdiff_t strideX, int x) {
-  const FloatTag d;
-  const hn::Rebind<std::uint8_t, FloatTag> d8;
-  const auto ordered = strideX > 0 ? values : hn::Reverse(d, values);
-  const auto bytes = hn::DemoteTo(d8, hn::NearestInt(hn::Mul(ordered, hn::Set(d, 255.0F))));
-  hn::StoreU(bytes, d8, strideX > 0 ? row + x : row - x - (static_cast<int>(hn::Lanes(d)) - 1));
-}
-HWY_INLINE void storeOne(float value, float* voxel) { *voxel = value; }
-HWY_INLINE void storeOne(float value, std::uint8_t* voxel) {
-  *voxel = static_cast<std::uint8_t>(std::nearbyint(value * 255.0F));
-}
-
-void loadTileOnTarget(const OctantWalk& walk, TileOrigin origin, const float* grid, float* buffer) {
+// Parts of a row in memory order, which is against the canonical one if the walk runs against it. Hence transposed
+// vectors are taken from the last to the first; no vector is reversed.
+HWY_INLINE FloatVec loadPart(const float* row, std::ptrdiff_t strideX, RowPart part) {
   const FloatTag d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const int nx = walk.size.x;
-  const FullSteps full = fullSteps(nx, lanes);
-  const int rowCount = std::min(lanes, walk.size.y - origin.y);
-  for (int plane = 0; plane < kTilePlanes; ++plane) {
-    float* steps = buffer + (static_cast<std::ptrdiff_t>(plane) * paddedSteps(nx, lanes) + frontPad()) * lanes;
-    const bool planeExists = origin.z + plane < walk.size.z;
-    const auto rowOf = [&](int lane) { return grid + walk.row(origin.y + lane, origin.z + plane); };
-    for (int lane = 0; lane < lanes; ++lane) {
-      const auto at = [&](int x) -> float& { return steps[static_cast<std::ptrdiff_t>(x + lane) * lanes + lane]; };
-      if (planeExists && lane < rowCount) {
-        const float* row = rowOf(lane);
-        visitRest(nx, lane, full, [&](int x) { at(x) = row[x * walk.strideX]; });
-      } else {
-        visitRest(nx, lane, full, [&](int x) { at(x) = kUnsetDistance; });
-      }
-    }
-    for (int t = full.first; t < full.last; t += lanes) {
-      FloatVec rows[kMaxLanes];
-      for (int lane = 0; lane < kMaxLanes; ++lane) {
-        const bool exists = planeExists && lane < rowCount;
-        rows[lane] = exists ? loadRow(rowOf(lane), walk.strideX, t - lane) : hn::Set(d, kUnsetDistance);
-      }
-      transpose(rows);
-      for (int i = 0; i < kMaxLanes; ++i) hn::Store(rows[i], d, steps + static_cast<std::ptrdiff_t>(t + i) * lanes);
-    }
+  if (part.whole(lanes)) return hn::LoadU(d, memoryStart(row, strideX, part.x, lanes));
+  if (part.empty(lanes)) return hn::Set(d, kOutsideDistance);
+  alignas(64) float values[kMaxLanes];
+  for (int i = 0; i < lanes; ++i) {
+    const int x = part.x + i;
+    values[strideX > 0 ? i : lanes - 1 - i] = x >= 0 && x < part.count ? row[x * strideX] : kOutsideDistance;
   }
+  return hn::Load(d, values);
+}
+
+HWY_INLINE void storeWhole(FloatVec values, float* to) { hn::StoreU(values, FloatTag(), to); }
+HWY_INLINE void storeWhole(FloatVec values, std::uint8_t* to) {
+  const FloatTag d;
+  const hn::Rebind<std::uint8_t, FloatTag> d8;
+  hn::StoreU(hn::DemoteTo(d8, hn::NearestInt(hn::Mul(values, hn::Set(d, 255.0F)))), d8, to);
+}
+template <class T>
+HWY_INLINE void storePart(FloatVec values, T* row, std::ptrdiff_t strideX, RowPart part) {
+  const int lanes = static_cast<int>(hn::Lanes(FloatTag()));
+  if (part.whole(lanes)) return storeWhole(values, memoryStart(row, strideX, part.x, lanes));
+  T inMemory[kMaxLanes];
+  storeWhole(values, inMemory);
+  for (int i = std::max(0, -part.x); i < std::min(lanes, part.count - part.x); ++i)
+    row[(part.x + i) * strideX] = inMemory[strideX > 0 ? i : lanes - 1 - i];
+}
+
+// Calls visit(t, whole) for blocks of lanes steps that cover all that a sweep of the span looks at; whole: in all of
+// them every lane lies within the span.
+template <class Visit>
+HWY_INLINE void visitSteps(TileSpan span, int lanes, const Visit& visit) {
+  for (int t = 0; t < span.count + lanes - 1 + kTilePlanes; t += lanes)
+    visit(t, t >= lanes - 1 && t + lanes <= span.count);
+}
+
+// One plane of a tile, canonical z, to [step][lane].
+HWY_INLINE void loadPlane(const OctantWalk& walk, int y, int z, TileSpan span, const float* grid, float* steps) {
+  const FloatTag d;
+  constexpr int lanes = kMaxLanes;
+  const bool planeExists = z >= 0 && z < walk.size.z;
+  const bool allRows = planeExists && y >= 0 && y + lanes <= walk.size.y;
+  const bool nextExists = z + 1 >= 0 && z + 1 < walk.size.z;
+  const bool forward = walk.strideX > 0;
+  const float* start = grid + walk.start + z * walk.strideZ + span.first * walk.strideX;
+  visitSteps(span, lanes, [&](int t, bool whole) {
+    FloatVec rows[lanes];
+    if (whole && allRows) {
+      // Lane by lane one row further and one voxel back.
+      const float* first = memoryStart(start + y * walk.strideY, walk.strideX, t, lanes);
+      const std::ptrdiff_t step = walk.strideY - walk.strideX;
+      for (int lane = 0; lane < lanes; ++lane) rows[lane] = hn::LoadU(d, first + lane * step);
+      if (nextExists)
+        for (int lane = 0; lane < lanes; ++lane) hwy::Prefetch(first + walk.strideZ + lane * step);
+    } else {
+      for (int lane = 0; lane < lanes; ++lane) {
+        const bool exists = planeExists && y + lane >= 0 && y + lane < walk.size.y;
+        rows[lane] = exists ? loadPart(start + (y + lane) * walk.strideY, walk.strideX, {t - lane, span.count})
+                            : hn::Set(d, kOutsideDistance);
+      }
+    }
+    transpose(rows);
+    for (int i = 0; i < lanes; ++i)
+      hn::Store(rows[forward ? i : lanes - 1 - i], d, steps + static_cast<std::ptrdiff_t>(t + i) * lanes);
+  });
+}
+
+void loadTileOnTarget(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* buffer) {
+  const int lanes = static_cast<int>(hn::Lanes(FloatTag()));
+  for (int plane = 0; plane < kTilePlanes; ++plane) {
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(plane) * paddedSteps(walk.size.x, lanes) + frontPad();
+    loadPlane(walk, origin.y, origin.z + plane, span, grid, buffer + at * lanes);
+  }
+}
+
+void loadCarriedOnTarget(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* carried) {
+  const int lanes = static_cast<int>(hn::Lanes(FloatTag()));
+  float* steps = carried + static_cast<std::ptrdiff_t>(frontPad() + span.first) * lanes;
+  loadPlane(walk, origin.y, origin.z - 1, span, grid, steps);
 }
 
 template <class T>
-void storeTileAs(const OctantWalk& walk, TileOrigin origin, const float* buffer, T* grid) {
+void storeTileAs(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, T* grid) {
   const FloatTag d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const int nx = walk.size.x;
-  const FullSteps full = fullSteps(nx, lanes);
-  const int rowCount = std::min(lanes, walk.size.y - origin.y);
-  for (int plane = 0; plane < std::min(kTilePlanes, walk.size.z - origin.z); ++plane) {
-    const float* steps = buffer + (static_cast<std::ptrdiff_t>(plane) * paddedSteps(nx, lanes) + frontPad()) * lanes;
-    const auto rowOf = [&](int lane) { return grid + walk.row(origin.y + lane, origin.z + plane); };
-    for (int lane = 0; lane < rowCount; ++lane) {
-      T* row = rowOf(lane);
-      visitRest(nx, lane, full, [&](int x) {
-        storeOne(steps[static_cast<std::ptrdiff_t>(x + lane) * lanes + lane], row + x * walk.strideX);
-      });
-    }
-    for (int t = full.first; t < full.last; t += lanes) {
-      FloatVec rows[kMaxLanes];
-      for (int i = 0; i < kMaxLanes; ++i) rows[i] = hn::Load(d, steps + static_cast<std::ptrdiff_t>(t + i) * lanes);
+  constexpr int lanes = kMaxLanes;
+  const bool forward = walk.strideX > 0;
+  const bool allRows = origin.y >= 0 && origin.y + lanes <= walk.size.y;
+  for (int plane = 0; plane < kTilePlanes; ++plane) {
+    const int z = origin.z + plane;
+    if (z < 0 || z >= walk.size.z) continue;
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(plane) * paddedSteps(walk.size.x, lanes) + frontPad();
+    const float* steps = buffer + at * lanes;
+    T* start = grid + walk.start + z * walk.strideZ + span.first * walk.strideX;
+    visitSteps(span, lanes, [&](int t, bool whole) {
+      FloatVec rows[lanes];
+      for (int i = 0; i < lanes; ++i)
+        rows[i] = hn::Load(d, steps + static_cast<std::ptrdiff_t>(t + (forward ? i : lanes - 1 - i)) * lanes);
       transpose(rows);
-      for (int lane = 0; lane < rowCount; ++lane) storeRow(rows[lane], rowOf(lane), walk.strideX, t - lane);
-    }
+      if (whole && allRows) {
+        T* first = memoryStart(start + origin.y * walk.strideY, walk.strideX, t, lanes);
+        const std::ptrdiff_t step = walk.strideY - walk.strideX;
+        for (int lane = 0; lane < lanes; ++lane) storeWhole(rows[lane], first + lane * step);
+        return;
+      }
+      for (int lane = std::max(0, -origin.y); lane < std::min(lanes, walk.size.y - origin.y); ++lane) {
+        const RowPart part{t - lane, span.count};
+        if (!part.empty(lanes)) storePart(rows[lane], start + (origin.y + lane) * walk.strideY, walk.strideX, part);
+      }
+    });
   }
 }
 
-void storeFloatsOnTarget(const OctantWalk& walk, TileOrigin origin, const float* buffer, float* grid) {
-  storeTileAs(walk, origin, buffer, grid);
+void storeFloatsOnTarget(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, float* grid) {
+  storeTileAs(walk, origin, span, buffer, grid);
 }
-void storeBytesOnTarget(const OctantWalk& walk, TileOrigin origin, const float* buffer, std::uint8_t* grid) {
-  storeTileAs(walk, origin, buffer, grid);
+void storeBytesOnTarget(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer,
+                        std::uint8_t* grid) {
+  storeTileAs(walk, origin, span, buffer, grid);
 }
 
 }  // namespace isolume::HWY_NAMESPACE
@@ -173,6 +207,7 @@ HWY_AFTER_NAMESPACE();
 namespace isolume {
 
 HWY_EXPORT(loadTileOnTarget);
+HWY_EXPORT(loadCarriedOnTarget);
 HWY_EXPORT(storeFloatsOnTarget);
 HWY_EXPORT(storeBytesOnTarget);
 
@@ -189,14 +224,32 @@ OctantWalk walkOctant(glm::ivec3 size, const Octant& octant) {
   return walk;
 }
 
-void loadTile(const OctantWalk& walk, TileOrigin origin, const float* grid, float* buffer) {
-  HWY_DYNAMIC_DISPATCH(loadTileOnTarget)(walk, origin, grid, buffer);
+void loadTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* buffer) {
+  HWY_DYNAMIC_DISPATCH(loadTileOnTarget)(walk, origin, span, grid, buffer);
 }
-void storeTile(const OctantWalk& walk, TileOrigin origin, const float* buffer, float* grid) {
-  HWY_DYNAMIC_DISPATCH(storeFloatsOnTarget)(walk, origin, buffer, grid);
+void loadCarried(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* carried) {
+  HWY_DYNAMIC_DISPATCH(loadCarriedOnTarget)(walk, origin, span, grid, carried);
 }
-void storeTile(const OctantWalk& walk, TileOrigin origin, const float* buffer, std::uint8_t* grid) {
-  HWY_DYNAMIC_DISPATCH(storeBytesOnTarget)(walk, origin, buffer, grid);
+void storeTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, float* grid) {
+  HWY_DYNAMIC_DISPATCH(storeFloatsOnTarget)(walk, origin, span, buffer, grid);
+}
+void storeTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, std::uint8_t* grid) {
+  HWY_DYNAMIC_DISPATCH(storeBytesOnTarget)(walk, origin, span, buffer, grid);
+}
+
+void loadRowBelow(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* rows) {
+  const int lanes = tileLanes();
+  for (int plane = 0; plane < kTilePlanes; ++plane) {
+    const int y = origin.y - 1, z = origin.z + plane;
+    const bool exists = y >= 0 && y < walk.size.y && z >= 0 && z < walk.size.z;
+    float* out = rows + static_cast<std::ptrdiff_t>(plane) * paddedRow(walk.size.x, lanes) + rowFrontPad(lanes);
+    const float* row = exists ? grid + walk.row(y, z) : nullptr;
+    // From before the span, where the first planes start, to behind it, where the last lanes end.
+    for (int x = span.first - kTilePlanes; x < span.first + span.count + lanes + kTilePlanes - 1; ++x) {
+      const bool within = exists && x >= span.first && x < span.first + span.count;
+      out[x] = within ? row[x * walk.strideX] : kOutsideDistance;
+    }
+  }
 }
 
 }  // namespace isolume

@@ -7,6 +7,7 @@
 
 #include "grid.h"
 #include "octants.h"
+#include "sweep_tile.h"
 
 namespace isolume {
 
@@ -19,15 +20,21 @@ struct OctantWalk {
 };
 OctantWalk walkOctant(glm::ivec3 size, const Octant& octant);
 
-/// Where a tile lies: its first canonical row and plane.
+/// Where a tile lies: its first canonical row and plane; below 0 where the first lanes or planes are empty.
 struct TileOrigin {
   int y = 0, z = 0;
 };
 
-/// Rows and planes beyond the grid are loaded as unset and not stored.
-void loadTile(const OctantWalk& walk, TileOrigin origin, const float* grid, float* buffer);
-void storeTile(const OctantWalk& walk, TileOrigin origin, const float* buffer, float* grid);
+/// Fills a span of a tile's buffer, and the steps around it; what is not in the grid or the span is outside.
+void loadTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* buffer);
+/// The same for what the tile upwind in z hands over (TileBuffers::carriedDistance), from the grid.
+void loadCarried(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* carried);
+/// And for the row upwind in y (TileBuffers::rowDistance).
+void loadRowBelow(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* rows);
+
+/// Writes a span back; rows and planes beyond the grid are not stored.
+void storeTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, float* grid);
 /// As bytes: round(255 value), for values in [0, 1].
-void storeTile(const OctantWalk& walk, TileOrigin origin, const float* buffer, std::uint8_t* grid);
+void storeTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, std::uint8_t* grid);
 
 }  // namespace isolume

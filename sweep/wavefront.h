@@ -1,38 +1,40 @@
-// One sweep of one octant over a whole grid: tiles in wavefronts, so that threads share a sweep that is Gauss-Seidel.
+// How the tiles of a grid share one sweep over the threads: wavefronts over blocks of rows (y) and layers of planes
+// (z).
+//
+// A tile waits for the tile upwind in y and the one upwind in z ([Detrixhe13]); all tiles of an anti-diagonal run in
+// parallel, which changes no result. The partition is the same for all octants: where the size is not a multiple, the
+// last tile in +y (+z) has empty lanes (planes), whichever way it is swept.
 #pragma once
 
-#include <cstdint>
-#include <memory>
+#include <functional>
+#include <glm/vec3.hpp>
 
-#include "grid.h"
 #include "octants.h"
 #include "sweep_tile.h"
+#include "tile_io.h"
 
 namespace isolume {
 
-/// Where a sweep writes the octant's visibility, if it does: at most one of the two is set.
-struct VisibilityTarget {
-  std::uint8_t* as8 = nullptr;  ///< round(255 V), one byte per voxel
-  float* asFloat = nullptr;
+/// One tile: its place in the grid, and when it comes in the order of the octants' sweep.
+struct Tile {
+  int block = 0, layer = 0;            ///< rows from block * lanes on, planes from layer * kTilePlanes on
+  int blockOrder = 0, layerOrder = 0;  ///< 0 for those that the sweep meets first
 };
 
-/// Buffers for sweeps of one grid size, reused from sweep to sweep. About 4 (with visibility 9) MB for 256^3;
-/// O(n^(2/3)).
-class WavefrontSweeper {
- public:
-  WavefrontSweeper(glm::ivec3 size, const SweepMetric& metric);
-  ~WavefrontSweeper();
-
-  /// Sweeps in place; `distance` as of startDistance(). A tile waits only for the tile below it in z and the one before
-  /// it in y ([Detrixhe13]); all tiles of an anti-diagonal run in parallel, which changes no result.
-  void sweep(const Octant& octant, float* distance, VisibilityTarget visibility);
-
- private:
-  struct Block;
-  struct Storage;
-  std::unique_ptr<Storage> storage_;
-  glm::ivec3 size_;
-  SweepMetric metric_;
+struct TileGrid {
+  glm::ivec3 size{0};
+  int lanes = 1;
+  int blocks = 0, layers = 0;
+  std::size_t count() const { return static_cast<std::size_t>(blocks) * static_cast<std::size_t>(layers); }
+  std::size_t index(int block, int layer) const {
+    return static_cast<std::size_t>(layer) * static_cast<std::size_t>(blocks) + static_cast<std::size_t>(block);
+  }
+  /// First canonical row and plane of a tile; below 0 where the first lanes or planes are empty.
+  TileOrigin origin(const Tile& tile, const Octant& octant) const;
 };
+TileGrid makeTileGrid(glm::ivec3 size);
+
+/// Calls body(tile) for all tiles, upwind ones of octants with these signs in y and z first. Threaded.
+void sweepWavefront(const TileGrid& grid, const Octant& octant, const std::function<void(const Tile&)>& body);
 
 }  // namespace isolume

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "support/plain_start.h"
+
 namespace isolume::test {
 namespace {
 
@@ -27,7 +29,7 @@ struct State {
   bool inside(int x, int y, int z) const { return level(x, y, z) > 0; }
 };
 
-void start(State& state) {
+void start(State& state, DistanceStart kind) {
   const glm::ivec3 n = state.level.size;
   for (int z = 0; z < n.z; ++z)
     for (int y = 0; y < n.y; ++y)
@@ -48,8 +50,29 @@ void start(State& state) {
           }
         const std::size_t i = state.level.index(x, y, z);
         state.fixed[i] = best < kUnset;
-        state.magnitude[i] = withLastBit(std::max(best, kSmallest), state.fixed[i]);
+        best = std::max(best, kSmallest);
+        if (state.fixed[i] && kind == DistanceStart::better)
+          best = plainBetterStart(state.level, state.h, {x, y, z}, withLastBit(best, true));
+        state.magnitude[i] = withLastBit(best, state.fixed[i]);
       }
+}
+
+}  // namespace
+
+namespace {
+
+// Root of sum over the nearest `count` neighbours of ((d - a_i) / h_i)^2 = 1 in double.
+double rootOver(int count, const std::array<int, 3>& axis, glm::vec3 a, glm::dvec3 h) {
+  const double nearest = a[axis[0]];
+  double w = 0, linear = 0, square = -1;
+  for (int i = 0; i < count; ++i) {
+    const int k = axis[static_cast<std::size_t>(i)];
+    const double weight = 1 / (h[k] * h[k]);
+    w += weight;
+    linear += weight * (a[k] - nearest);
+    square += weight * (a[k] - nearest) * (a[k] - nearest);
+  }
+  return nearest + (linear + std::sqrt(linear * linear - w * square)) / w;
 }
 
 }  // namespace
@@ -57,35 +80,31 @@ void start(State& state) {
 float plainUpdate(glm::vec3 neighbours, glm::dvec3 spacing) {
   std::array<int, 3> axis{0, 1, 2};
   std::stable_sort(axis.begin(), axis.end(), [&](int a, int b) { return neighbours[a] < neighbours[b]; });
-  const float a1 = neighbours[axis[0]], a2 = neighbours[axis[1]], a3 = neighbours[axis[2]];
-  const float b = a2 - a1, c = a3 - a1;
-  if (spacing.x == 1 && spacing.y == 1 && spacing.z == 1) {
-    const float one = a1 + 1.0F;
-    if (one <= a2) return one;
-    const float two = a1 + 0.5F * (b + std::sqrt(2.0F - b * b));
-    if (two <= a3) return two;
-    return a1 + (1.0F / 3.0F) * ((b + c) + std::sqrt((3.0F - b * b) - (c * c + (c - b) * (c - b))));
-  }
-  const auto weight = [&](int i) {
-    const double h = spacing[axis[static_cast<std::size_t>(i)]];
-    return static_cast<float>(1 / (h * h));
+  double root = rootOver(1, axis, neighbours, spacing);
+  for (int count = 2; count <= 3 && root > neighbours[axis[static_cast<std::size_t>(count) - 1]]; ++count)
+    root = rootOver(count, axis, neighbours, spacing);
+  // The smallest even float with sum max(0, (d - a_i) / h_i)^2 >= 1.
+  const glm::vec3 weight(1.0 / (spacing * spacing));
+  const auto reaches = [&](std::uint32_t bits) {
+    glm::vec3 term;
+    for (int k = 0; k < 3; ++k) {
+      const float x = std::max(std::bit_cast<float>(bits) - neighbours[k], 0.0F);
+      term[k] = weight[k] * (x * x);
+    }
+    return sortedSum(term.x, term.y, term.z) >= 1;
   };
-  const float w1 = weight(0), w2 = weight(1), w3 = weight(2);
-  const float one = a1 + static_cast<float>(spacing[axis[0]]);
-  if (one <= a2) return one;
-  const float two = a1 + (w2 * b + std::sqrt((w1 + w2) - (w1 * w2) * (b * b))) / (w1 + w2);
-  if (two <= a3) return two;
-  const float root =
-      std::sqrt((((w1 + w2) + w3) - (w1 * w2) * (b * b)) - ((w1 * w3) * (c * c) + (w2 * w3) * ((c - b) * (c - b))));
-  return a1 + ((w2 * b + w3 * c) + root) / ((w1 + w2) + w3);
+  std::uint32_t bits = std::bit_cast<std::uint32_t>(static_cast<float>(root)) & ~1U;
+  while (reaches(bits)) bits -= 2;
+  while (!reaches(bits)) bits += 2;
+  return std::bit_cast<float>(bits);
 }
 
-PlainFields plainSweep(GridView<const float> level, int rounds) {
+PlainFields plainSweep(GridView<const float> level, int rounds, DistanceStart kind) {
   const glm::ivec3 n = level.size;
   const double smallest = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
   const glm::dvec3 h = level.spacing / smallest;
   State state{level, glm::vec3(h), std::vector<float>(level.count()), std::vector<bool>(level.count())};
-  start(state);
+  start(state, kind);
 
   const double inverseSum = 1 / h.x + 1 / h.y + 1 / h.z;
   glm::vec3 weight(1 / h.x / inverseSum, 1 / h.y / inverseSum, 0);
@@ -112,8 +131,11 @@ PlainFields plainSweep(GridView<const float> level, int rounds) {
               const float signedDistance = state.inside(q.x, q.y, q.z) ? -distance[axis] : distance[axis];
               light[axis] = visibility[from] * std::min(std::max(signedDistance + 0.5F, 0.0F), 1.0F);
             }
-            if (!state.fixed[at])
-              state.magnitude[at] = withLastBit(std::min(state.magnitude[at], plainUpdate(distance, h)), false);
+            float& magnitude = state.magnitude[at];
+            const glm::vec3 beyond = distance + state.h;
+            const float nearest = std::min({beyond.x, beyond.y, beyond.z});
+            magnitude = state.fixed[at] ? std::min(magnitude, withLastBit(nearest, true))
+                                        : std::min(magnitude, plainUpdate(distance, h));
             const float sum = (weight.x * light.x + weight.y * light.y) + weight.z * light.z;
             visibility[at] = sum >= kDarkest ? sum : 0;
           }

@@ -7,6 +7,7 @@
 
 #include "sweep/grid.h"
 #include "sweep/octants.h"
+#include "sweep/surface_start.h"
 
 namespace isolume::test {
 
@@ -18,6 +19,6 @@ struct PlainFields {
 /// Distance of a voxel from its three upwind neighbours (unsigned), in the units of the spacing.
 float plainUpdate(glm::vec3 neighbours, glm::dvec3 spacing);
 
-PlainFields plainSweep(GridView<const float> level, int rounds = 1);
+PlainFields plainSweep(GridView<const float> level, int rounds = 1, DistanceStart start = DistanceStart::better);
 
 }  // namespace isolume::test

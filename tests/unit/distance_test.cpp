@@ -104,10 +104,12 @@ TEST(Distance, OfAFullGridIsThatToItsCap) {
   }
 }
 
-TEST(Distance, StartValuesAreThoseOfTheNearestCrossedEdge) {
-  // Next to the surface the value is the smallest crossing distance along the six grid edges, and no sweep changes it.
+TEST(Distance, PaperStartIsTheNearestCrossedEdge) {
+  // With the paper's start, next to the surface the value is the smallest crossing distance along the six grid edges,
+  // and no sweep changes it.
   const Grid<float> level = ballLevel(24, 7.3, glm::dvec3(11.2, 12.1, 11.7));
-  const SweptFields fields = sweepOcclusion(level.view(), kDistanceOnly);
+  const SweptFields fields =
+      sweepOcclusion(level.view(), {.visibility = VisibilityStorage::none, .start = DistanceStart::paper});
   int checked = 0;
   for (int z = 1; z < 23; ++z)
     for (int y = 1; y < 23; ++y)

@@ -24,10 +24,12 @@ bool sameBits(const T* a, const T* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(T)) == 0;
 }
 
-void expectEqualsPlain(GridView<const float> level, int rounds = 1) {
-  const auto want = plainSweep(level, rounds);
-  const SweptFields got = sweepOcclusion(level, {.visibility = VisibilityStorage::float32, .rounds = rounds});
-  const SweptFields alone = sweepOcclusion(level, {.visibility = VisibilityStorage::none, .rounds = rounds});
+void expectEqualsPlain(GridView<const float> level, int rounds = 1, DistanceStart start = DistanceStart::better) {
+  const auto want = plainSweep(level, rounds, start);
+  SweepOptions options{.visibility = VisibilityStorage::float32, .start = start, .rounds = rounds};
+  const SweptFields got = sweepOcclusion(level, options);
+  options.visibility = VisibilityStorage::none;
+  const SweptFields alone = sweepOcclusion(level, options);
   EXPECT_TRUE(sameBits(got.distance.data(), want.distance.data(), level.count()));
   EXPECT_TRUE(sameBits(alone.distance.data(), want.distance.data(), level.count()));
   for (std::size_t s = 0; s < kOctants.size(); ++s) {
@@ -59,6 +61,7 @@ TEST(SweepLayout, EqualsPlainLoopsOnSparseSurfacesAndAnySpacing) {
         for (int x = 0; x < 37; ++x) level.view()(x, y, z) = ball.view()(x, y, z);
     expectEqualsPlain(level.view());
     expectEqualsPlain(level.view(), 2);
+    expectEqualsPlain(level.view(), 1, DistanceStart::paper);
   }
 }
 
@@ -67,8 +70,10 @@ TEST(SweepLayout, EqualsPlainLoopsOnEveryInstructionSet) {
   const Grid<float> noise = noiseLevel({53, 38, 21}, {1, 1.25, 2}, 11);
   const Grid<float> ball = ballLevel(40, 11, glm::dvec3(17, 20, 22));
   const int tried = test::onEverySimdTarget([&] {
-    expectEqualsPlain(noise.view());
-    expectEqualsPlain(ball.view());
+    for (const DistanceStart start : {DistanceStart::paper, DistanceStart::better}) {
+      expectEqualsPlain(noise.view(), 1, start);
+      expectEqualsPlain(ball.view(), 1, start);
+    }
   });
   EXPECT_GE(tried, 1);
 }

@@ -2,10 +2,15 @@ isolume_test(test_sweep
   unit/octants_test.cpp
   unit/level_test.cpp
   unit/geometry_terms_test.cpp
+  unit/start_test.cpp
   unit/distance_test.cpp
+  unit/fixed_point_test.cpp
+  unit/band_test.cpp
   unit/visibility_test.cpp
   unit/layout_test.cpp
+  support/plain_start.cpp
   support/plain_sweep.cpp
+  support/random_grids.cpp
   LIBS isolume_sweep hwy::hwy)
 isolume_test(test_closest
   unit/closest_test.cpp

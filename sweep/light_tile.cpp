@@ -1,0 +1,87 @@
+#include "light_tile.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sweep/light_tile.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "surface_start.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace isolume::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using FloatTag = hn::ScalableTag<float>;
+using FloatVec = hn::Vec<FloatTag>;
+
+// [Singh10] Eq. 7 with h = the smallest spacing.
+HWY_INLINE FloatVec transmittance(FloatVec distance, FloatVec perSmallest) {
+  const FloatTag d;
+  const hn::RebindToUnsigned<FloatTag> du;
+  // From 1/2 on all light passes: 2 stands for all larger magnitudes, infinity too.
+  const auto magnitude = hn::Min(hn::Mul(hn::Abs(distance), perSmallest), hn::Set(d, 2.0F));
+  const auto fixed = hn::BitCast(d, hn::Or(hn::BitCast(du, magnitude), hn::Set(du, kFixedBit)));
+  const auto ramp = hn::Add(hn::CopySignToAbs(fixed, distance), hn::Set(d, 0.5F));
+  return hn::Min(hn::Max(ramp, hn::Zero(d)), hn::Set(d, 1.0F));
+}
+
+void sweepLightTileOnTarget(const LightBuffers& buffers, const SweepMetric& metric, float smallestSpacing, int nx) {
+  const FloatTag d;
+  const hn::RebindToSigned<FloatTag> di;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const auto perSmallest = hn::Set(d, 1 / smallestSpacing);
+  const auto weightX = hn::Set(d, metric.weights.x);
+  const auto weightY = hn::Set(d, metric.weights.y);
+  const auto weightZ = hn::Set(d, metric.weights.z);
+  const auto lane0 = hn::FirstN(d, 1);
+  const auto lastLane = hn::Not(hn::FirstN(d, static_cast<std::size_t>(lanes) - 1));
+  const auto up = hn::IndicesFromVec(d, hn::Max(hn::Sub(hn::Iota(di, 0), hn::Set(di, 1)), hn::Zero(di)));
+
+  const std::ptrdiff_t planeStride = static_cast<std::ptrdiff_t>(paddedSteps(nx, lanes)) * lanes;
+  const std::ptrdiff_t rowStride = paddedRow(nx, lanes);
+  const std::ptrdiff_t origin = static_cast<std::ptrdiff_t>(frontPad()) * lanes;
+  const std::ptrdiff_t rowOrigin = rowFrontPad(lanes);
+
+  FloatVec previous[kTilePlanes];
+  for (FloatVec& light : previous) light = hn::Set(d, 1.0F);
+
+  const int steps = nx + lanes - 1;
+  for (int u = 0; u < steps + kTilePlanes - 1; ++u) {
+    // From the last plane to the first: plane p reads what plane p - 1 held one step ago.
+    HWY_UNROLL(4)
+    for (int p = kTilePlanes - 1; p >= 0; --p) {
+      const std::ptrdiff_t t = u - p;
+      const std::ptrdiff_t at = origin + t * lanes;
+      const std::ptrdiff_t atRow = p * rowStride + rowOrigin + t;
+      const auto below = p == 0 ? hn::Load(d, buffers.carriedLight + at) : previous[p == 0 ? 0 : p - 1];
+      const auto beside =
+          hn::IfThenElse(lane0, hn::Set(d, buffers.rowLight[atRow]), hn::TableLookupLanes(previous[p], up));
+      // [Singh10] Eq. 6: the neighbours' V tau, weighted.
+      const auto sum =
+          hn::Add(hn::Add(hn::Mul(weightX, previous[p]), hn::Mul(weightY, beside)), hn::Mul(weightZ, below));
+      const auto visibility = hn::IfThenElseZero(hn::Ge(sum, hn::Set(d, kDarkest)), sum);
+      const auto distance = hn::Load(d, buffers.distance + p * planeStride + at);
+      const auto leaving = hn::Mul(visibility, transmittance(distance, perSmallest));
+      previous[p] = leaving;
+      hn::Store(visibility, d, buffers.visibility + p * planeStride + at);
+      // The last lane is lanes - 1 voxels behind; a masked store puts it where its x is.
+      hn::BlendedStore(leaving, lastLane, d, buffers.lastRowLight + atRow - 2 * (lanes - 1));
+      if (p == kTilePlanes - 1) hn::Store(leaving, d, buffers.carriedLight + at);
+    }
+  }
+}
+
+}  // namespace isolume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace isolume {
+
+HWY_EXPORT(sweepLightTileOnTarget);
+
+void sweepLightTile(const LightBuffers& buffers, const SweepMetric& metric, float smallestSpacing, int nx) {
+  HWY_DYNAMIC_DISPATCH(sweepLightTileOnTarget)(buffers, metric, smallestSpacing, nx);
+}
+
+}  // namespace isolume
+#endif
