@@ -41,7 +41,16 @@ void measureHit(const RayJudge& judge, const GridRay& ray, glm::dvec3 found, glm
   ++counts.hits;
   counts.tangent += quality.tangent;
   counts.distance.push_back(static_cast<float>(quality.distance));
+  counts.across.push_back(static_cast<float>(quality.across));
   const glm::dvec3 smooth = judge.smoothGradient(found), cell = judge.cellGradient(found);
+  if (quality.distance > kSamePlace && counts.offHit.size() < kToldAtMost) {
+    const double along = glm::dot(judge.tracer().cellGradient(found), ray.direction) / glm::length(cell);
+    counts.offHit.push_back(fmt::format(
+        "{:.2g} voxels along the ray, {:.2g} across, at {}: the ray climbs {:.2g} of the gradient; level {:.2g} of the "
+        "largest corner",
+        quality.distance, quality.across, text(found), along,
+        judge.tracer().levelAt(found) / judge.largestCorner(found)));
+  }
   if (smooth == glm::dvec3(0) || cell == glm::dvec3(0)) {
     ++counts.flat;
     return;
@@ -85,8 +94,10 @@ void RayCounts::add(const RayCounts& other) {
   ties += other.ties, grazing += other.grazing, missed += other.missed, falseHits += other.falseHits;
   tangent += other.tangent, flat += other.flat;
   distance.insert(distance.end(), other.distance.begin(), other.distance.end());
+  across.insert(across.end(), other.across.begin(), other.across.end());
   normal.insert(normal.end(), other.normal.begin(), other.normal.end());
   cellNormal.insert(cellNormal.end(), other.cellNormal.begin(), other.cellNormal.end());
+  append(offHit, other.offHit);
   append(wrong, other.wrong);
   append(offNormal, other.offNormal);
 }

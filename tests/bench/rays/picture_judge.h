@@ -17,8 +17,10 @@ struct RayCounts {
   std::int64_t tangent = 0;            ///< hits whose own line has no root near by (HitQuality)
   std::int64_t flat = 0;               ///< hits without a gradient: no normal to compare with
   std::vector<float> distance;         ///< of each hit on the isosurface: HitQuality::distance, voxels
+  std::vector<float> across;           ///< HitQuality::across
   std::vector<float> normal;           ///< degrees between its normal and the same difference quotient in double
   std::vector<float> cellNormal;       ///< degrees between its normal and the gradient of the interpolant in its cell
+  std::vector<std::string> offHit;     ///< the first hits more than kSamePlace off along their line, in words
   std::vector<std::string> wrong;      ///< the first misses and false hits in words
   std::vector<std::string> offNormal;  ///< the first normals more than kNormalTarget off, in words
 

@@ -33,6 +33,8 @@ HitQuality RayJudge::quality(const GridRay& ray, glm::dvec3 found) const {
   HitQuality quality;
   quality.cap = isCap(found);
   if (quality.cap) return quality;
+  const double level = std::abs(tracer_.levelAt(found));
+  quality.across = level > 0 ? level / glm::length(cellGradient(found)) : 0;
   const auto at = [&](double s) { return glm::clamp(found + s * ray.direction, glm::dvec3(0), high_); };
   // Newton's method on the line, which is within a few cells of the root or not near one at all.
   constexpr int kSteps = 20;
@@ -49,7 +51,7 @@ HitQuality RayJudge::quality(const GridRay& ray, glm::dvec3 found) const {
     }
   }
   quality.tangent = true;
-  quality.distance = std::abs(tracer_.levelAt(found)) / glm::length(cellGradient(found));
+  quality.distance = quality.across;
   return quality;
 }
 

@@ -37,6 +37,8 @@ struct HitQuality {
   /// none near by (it grazes the surface): to the surface at right angles, by |level| / |gradient|, and `tangent`.
   double distance = 0;
   bool tangent = false;
+  /// Voxels to the surface at right angles, |level| / |gradient| (first order); 0 where both are.
+  double across = 0;
   bool cap = false;  ///< on the border of the grid: flat and exact, the rest is 0
 };
 
@@ -55,6 +57,8 @@ class RayJudge {
   /// Gradients per voxel: the difference quotient that the renderer shows, and the interpolant's own within the cell.
   glm::dvec3 smoothGradient(glm::dvec3 position) const { return tracer_.smoothGradient(position) / scale_; }
   glm::dvec3 cellGradient(glm::dvec3 position) const { return tracer_.cellGradient(position) / scale_; }
+  /// Largest |level| of the corners of the cell.
+  double largestCorner(glm::dvec3 position) const;
 
  private:
   bool isCap(glm::dvec3 position) const;
@@ -64,7 +68,6 @@ class RayJudge {
 
   /// Whether between two parameters the level gets above 0 by no more than rounding.
   bool passesByRounding(const GridRay& ray, double from, double to) const;
-  double largestCorner(glm::dvec3 position) const;
 
   SurfaceTracer tracer_;
   glm::dvec3 scale_{1};

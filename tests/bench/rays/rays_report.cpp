@@ -39,6 +39,8 @@ nlohmann::ordered_json report(RayCounts& counts, const JudgedVolume& volume) {
   const auto within = [](std::vector<float>& values, double share) { return quantile(values, share); };
   const auto offNormals =
       std::count_if(counts.normal.begin(), counts.normal.end(), [](float angle) { return angle > kNormalTarget; });
+  const auto hitsOff =
+      std::count_if(counts.distance.begin(), counts.distance.end(), [](float off) { return off > kSamePlace; });
   return {{"dims", {size.x, size.y, size.z}},
           {"rays", counts.rays},
           {"hits", counts.hits},
@@ -49,6 +51,9 @@ nlohmann::ordered_json report(RayCounts& counts, const JudgedVolume& volume) {
           {"grazing", counts.grazing},
           {"hit_distance_max", within(counts.distance, 1)},
           {"hit_distance_999", within(counts.distance, kMostHits)},
+          {"hits_off", hitsOff},
+          {"hit_across_max", within(counts.across, 1)},
+          {"hit_across_999", within(counts.across, kMostHits)},
           {"tangent", counts.tangent},
           {"normal_max", within(counts.normal, 1)},
           {"normal_999", within(counts.normal, kMostHits)},
@@ -57,6 +62,7 @@ nlohmann::ordered_json report(RayCounts& counts, const JudgedVolume& volume) {
           {"cell_normal_mean", mean(counts.cellNormal)},
           {"cell_normal_99", within(counts.cellNormal, kMostCells)},
           {"wrong", counts.wrong},
+          {"off_hits", counts.offHit},
           {"off_normals", counts.offNormal}};
 }
 
@@ -93,12 +99,14 @@ nlohmann::ordered_json work(const Options& options) {
   nlohmann::ordered_json result = report(counts, volume);
   result["views_with_errors"] = views;
   const auto number = [&result](const char* key) { return result[key].get<double>(); };
-  fmt::print(stderr,
-             "| {}x{}x{} | {} | {} | {} | {} | {} | {} | {:.2g} | {:.2g} | {:.2g} | {:.2g} | {} | {:.2f} | {:.1f} |\n",
-             volume.level.size().x, volume.level.size().y, volume.level.size().z, counts.rays, counts.hits,
-             counts.missed, counts.falseHits, counts.ties, counts.grazing, number("hit_distance_999"),
-             number("hit_distance_max"), number("normal_999"), number("normal_max"),
-             result["normals_off"].get<std::int64_t>(), number("cell_normal_mean"), number("cell_normal_99"));
+  fmt::print(
+      stderr,
+      "| {}x{}x{} | {} | {} | {} | {} | {} | {} | {:.2g} | {:.2g} | {} | {:.2g} | {:.2g} | {:.2g} | {} | {:.2f} | "
+      "{:.1f} |\n",
+      volume.level.size().x, volume.level.size().y, volume.level.size().z, counts.rays, counts.hits, counts.missed,
+      counts.falseHits, counts.ties, counts.grazing, number("hit_distance_999"), number("hit_distance_max"),
+      result["hits_off"].get<std::int64_t>(), number("hit_across_max"), number("normal_999"), number("normal_max"),
+      result["normals_off"].get<std::int64_t>(), number("cell_normal_mean"), number("cell_normal_99"));
   return result;
 }
 
