@@ -108,6 +108,7 @@ Verdict RayJudge::judge(const GridRay& ray, const std::optional<glm::dvec3>& fou
   const double wanted = hit ? hit->t : kNever;
   const double got = found ? glm::dot((*found - ray.origin) * scale_, direction) : kNever;
   if (hit.has_value() == found.has_value() && (!hit || std::abs(got - wanted) <= kSamePlace)) return Verdict::agrees;
+  if (found && glm::clamp(*found, glm::dvec3(0), high_) != *found) return Verdict::falseHit;
   if (found && glm::length((*found - ray.origin) * scale_ - got * direction) > kSamePlace) return Verdict::falseHit;
   if ((!found || isOnSurface(ray, *found)) && farthestHit(ray) >= got - kSamePlace) return Verdict::grazing;
   if (wanted < got) return passesByRounding(ray, wanted, got) ? Verdict::tie : Verdict::missed;
