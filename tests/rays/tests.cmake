@@ -7,9 +7,11 @@ isolume_test(test_rays
   rays/picture_judge_test.cpp
   rays/ray_judge_test.cpp
   rays/tracers_test.cpp
+  bench/rays/octant_cubes.cpp
   bench/rays/picture_judge.cpp
   bench/rays/random_views.cpp
   bench/rays/ray_judge.cpp
+  bench/rays/ray_position.cpp
   bench/rays/shader_march.cpp
   bench/rays/sphere_tracers.cpp
   reference/brute_force.cpp

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "bench/rays/octant_cubes.h"
 #include "bench/rays/picture_judge.h"
 #include "bench/rays/random_views.h"
 #include "bench/rays/shader_march.h"
@@ -59,6 +61,37 @@ TEST(Tracers, CertifiedBoundsMissNothing) {
     EXPECT_GT(wrongRays(judge, [&](const GridRay& ray) { return traceCertified(level.view(), doubled, ray, 1); }), 10);
     EXPECT_GT(wrongRays(judge, [&](const GridRay& ray) { return traceRaw(level.view(), godunov.view(), ray); }), 10);
   }
+}
+
+TEST(Tracers, OctantCubesAreTheLargestFreeOnes) {
+  // For every cell and octant the cube holds no mixed cell, one of the next side would, and no ray through them is
+  // wrong.
+  const Grid<float> level = sparse({1, 2, 1.5});
+  const OctantCubes cubes(level.view());
+  const RayJudge judge(level.view());
+  EXPECT_EQ(wrongRays(judge, [&](const GridRay& ray) { return cubes.trace(ray); }), 0);
+  const glm::ivec3 last = cubes.cells() - 1;
+  const auto holdsMixed = [&](glm::ivec3 corner, int octant, int side) {
+    for (int z = 0; z < side; ++z)
+      for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+          const glm::ivec3 ahead(octant & 1 ? -x : x, octant & 2 ? -y : y, octant & 4 ? -z : z);
+          const glm::ivec3 cell = corner + ahead;
+          if (cell == glm::clamp(cell, glm::ivec3(0), last) && isMixed(level.view(), cell)) return true;
+        }
+    return false;
+  };
+  int bounded = 0;
+  for (std::uint64_t number = 0; number < 500; ++number) {
+    Random random(number);
+    const glm::ivec3 cell(random.below(last.x + 1), random.below(last.y + 1), random.below(last.z + 1));
+    const int octant = random.below(kOctantCount), side = cubes.side(cell, octant);
+    EXPECT_FALSE(holdsMixed(cell, octant, std::min(side, last.x + 1)));
+    if (side > last.x) continue;  // nothing ahead
+    ++bounded;
+    EXPECT_TRUE(holdsMixed(cell, octant, side + 1));
+  }
+  EXPECT_GT(bounded, 200);
 }
 
 TEST(Tracers, EmptySpaceTakesOneStep) {

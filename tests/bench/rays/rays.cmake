@@ -9,7 +9,12 @@ add_library(isolume_rays STATIC
 target_include_directories(isolume_rays PUBLIC ${PROJECT_SOURCE_DIR}/tests)
 target_link_libraries(isolume_rays PUBLIC isolume_report)
 add_executable(report_rays bench/rays/rays_report.cpp)
-add_executable(report_steps bench/rays/shader_march.cpp bench/rays/sphere_tracers.cpp bench/rays/steps_report.cpp)
+add_executable(report_steps
+  bench/rays/octant_cubes.cpp
+  bench/rays/ray_position.cpp
+  bench/rays/shader_march.cpp
+  bench/rays/sphere_tracers.cpp
+  bench/rays/steps_report.cpp)
 foreach(program report_rays report_steps)
   target_link_libraries(${program} PRIVATE isolume_rays)
   list(APPEND ISOLUME_REPORT_PROGRAMS ${program})

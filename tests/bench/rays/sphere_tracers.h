@@ -37,7 +37,4 @@ PointBound cellPointBound(GridView<const float> cells);
 
 TracedRay traceCertified(GridView<const float> level, const PointBound& bound, const GridRay& ray, double omega);
 
-/// Trilinear, in a cell, per voxel.
-double interpolate(GridView<const float> field, glm::dvec3 position, glm::ivec3 cell);
-
 }  // namespace isolume::bench

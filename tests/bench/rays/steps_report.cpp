@@ -4,8 +4,9 @@
 // On the CPU (counts, not times), along the same random views as report_rays, thinned to --rays rays that enter the
 // grid. The ways: the shader's own text (shader_march.h), and sphere tracing by a solver's distance as it is, by that
 // distance certified, and by the distance to the nearest mixed cell, the latter two also with over-relaxed steps
-// (sphere_tracers.h). A wrong ray is a missed or false hit (ray_judge.h); a raw distance stops short of the surface, so
-// there a hit is wrong only if it is more than kRawWrong off.
+// (sphere_tracers.h), and leaps through cubes of cells ahead of the ray (octant_cubes.h). A wrong ray is a missed or
+// false hit (ray_judge.h); a raw distance stops short of the surface, so there a hit is wrong only if it is more than
+// kRawWrong off.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -21,6 +22,7 @@
 #include "sweep/occlusion_sweep.h"
 #include "sweep/parallel.h"
 #include "tests/bench/rays/judged_volume.h"
+#include "tests/bench/rays/octant_cubes.h"
 #include "tests/bench/rays/picture_judge.h"
 #include "tests/bench/rays/shader_march.h"
 #include "tests/bench/rays/sphere_tracers.h"
@@ -45,6 +47,7 @@ struct Fields {
   Grid<float> godunov, closest, fromHalves, cells;
   FieldBound ofGodunov, ofClosest, ofHalves;
   ShaderMarch march;
+  OctantCubes octants;
 
   explicit Fields(GridView<const float> data)
       : level(data),
@@ -54,7 +57,8 @@ struct Fields {
         cells(cellLowerBound(data)),
         ofGodunov(certifyField(data, godunov.view())),
         ofClosest(certifyField(data, closest.view())),
-        march(data) {
+        march(data),
+        octants(data) {
     Grid<std::uint16_t> halves(data.size, data.spacing);
     for (std::size_t i = 0; i < halves.count(); ++i) {
       halves.data()[i] = halfFromFloat(closest.data()[i]);
@@ -86,6 +90,9 @@ std::vector<Way> waysToTrace(const Fields& fields) {
                     return traceRaw(fields.level, fields.godunov.view(), ray.ray);
                   },
                   true});
+  ways.push_back({"octant cubes", [&fields](const shader::FrameUniforms&, const PictureRay& ray) {
+                    return fields.octants.trace(ray.ray);
+                  }});
   const auto certified = [&](const std::string& name, const PointBound& bound, double omega) {
     ways.push_back({name, [&fields, bound, omega](const shader::FrameUniforms&, const PictureRay& ray) {
                       return traceCertified(fields.level, bound, ray.ray, omega);
