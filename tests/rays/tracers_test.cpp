@@ -29,6 +29,13 @@ Grid<float> sparse(glm::dvec3 spacing = glm::dvec3(1)) {
   return level;
 }
 
+// Many samples exactly at the isovalue, and much inside, where rays start.
+Grid<float> plateaus() {
+  Grid<float> level = noiseLevel({30, 24, 20}, glm::dvec3(1), 5);
+  for (std::size_t i = 0; i < level.count(); ++i) level.data()[i] = std::round(level.data()[i] + 0.4F);
+  return level;
+}
+
 template <class Trace>
 int wrongRays(const RayJudge& judge, const Trace& trace) {
   int wrong = 0;
@@ -61,6 +68,17 @@ TEST(Tracers, CertifiedBoundsMissNothing) {
     EXPECT_GT(wrongRays(judge, [&](const GridRay& ray) { return traceCertified(level.view(), doubled, ray, 1); }), 10);
     EXPECT_GT(wrongRays(judge, [&](const GridRay& ray) { return traceRaw(level.view(), godunov.view(), ray); }), 10);
   }
+}
+
+TEST(Tracers, SamplesAtTheIsovalueAreRightFromBothSides) {
+  // Where samples are exactly at the isovalue no ray is wrong, those from within the solid included.
+  const Grid<float> level = plateaus();
+  const RayJudge judge(level.view());
+  const Grid<float> cells = cellLowerBound(level.view());
+  const OctantCubes cubes(level.view());
+  const PointBound bound = cellPointBound(cells.view());
+  EXPECT_EQ(wrongRays(judge, [&](const GridRay& ray) { return traceCertified(level.view(), bound, ray, 1); }), 0);
+  EXPECT_EQ(wrongRays(judge, [&](const GridRay& ray) { return cubes.trace(ray); }), 0);
 }
 
 TEST(Tracers, OctantCubesAreTheLargestFreeOnes) {

@@ -69,6 +69,9 @@ TracedRay OctantCubes::trace(const GridRay& ray) const {
       const double end = std::min(position.exit(), start.clip->end);
       traced.found = surfaceInCell(level_, position, end, start.inside);
       if (traced.found) return traced;
+    } else if (isBeyondSurface(level_, position.cell(), start.inside)) {
+      traced.found = position.point();
+      return traced;
     } else {
       for (int axis = 0; axis < 3; ++axis)
         (octant >> axis & 1 ? box.low : box.high)[axis] += (octant >> axis & 1 ? 1 - side : side - 1);

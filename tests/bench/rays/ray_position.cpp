@@ -65,6 +65,10 @@ bool isMixed(GridView<const float> level, glm::ivec3 cell) {
   return inside != 0 && inside != kCorners;
 }
 
+bool isBeyondSurface(GridView<const float> level, glm::ivec3 cell, bool startsInside) {
+  return (level(cell.x, cell.y, cell.z) > 0) != startsInside;
+}
+
 std::optional<glm::dvec3> surfaceInCell(GridView<const float> level, const RayPosition& position, double end,
                                         bool inside) {
   const glm::dvec3 low(position.cell());

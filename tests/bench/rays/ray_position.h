@@ -63,6 +63,11 @@ std::optional<glm::dvec3> foundAtEnd(const RayStart& start, const RayPosition& p
 
 bool isMixed(GridView<const float> level, glm::ivec3 cell);
 
+/// Whether a cell that is not mixed lies on the other side than where the ray started: then the surface was on the face
+/// before it. Where samples are exactly at the isovalue, the level of a mixed cell may come down to 0 there and no
+/// lower.
+bool isBeyondSurface(GridView<const float> level, glm::ivec3 cell, bool startsInside);
+
 /// The surface in the cell of `position`, from there to parameter `end`; on the way out of the solid if `inside`.
 std::optional<glm::dvec3> surfaceInCell(GridView<const float> level, const RayPosition& position, double end,
                                         bool inside);

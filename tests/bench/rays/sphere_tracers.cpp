@@ -69,6 +69,9 @@ TracedRay traceCertified(GridView<const float> level, const PointBound& bound, c
       ++traced.solves;
       traced.found = surfaceInCell(level, position, std::min(leave, start.clip->end), start.inside);
       if (traced.found) return traced;
+    } else if (isBeyondSurface(level, position.cell(), start.inside)) {
+      traced.found = position.point();
+      return traced;
     }
     if (!(leave < start.clip->end) || !position.leave({position.cell(), position.cell()})) break;
     freeUntil = position.t();
