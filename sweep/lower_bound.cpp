@@ -14,6 +14,8 @@ constexpr float kReachSquared = kBoundReach * kBoundReach;
 constexpr float kRoundedDown = 1 - 0x1p-21F;
 // A search ends on its own for a block of neighbours that are about equally far.
 constexpr int kBlock = 64;
+// Looking whether it may end costs as much as eight steps of it, which are vectorised.
+constexpr int kLookEvery = 8;
 
 glm::dvec3 spacingInVoxels(glm::dvec3 spacing) { return spacing / std::min({spacing.x, spacing.y, spacing.z}); }
 
@@ -64,7 +66,7 @@ void spreadAcross(const float* lines, std::size_t stride, int count, int width, 
               out + begin);
     for (int apart = 1; apart < count; ++apart) {
       const float gap = gaps[std::min(static_cast<std::size_t>(apart), gaps.size() - 1)];
-      if (gap >= *std::max_element(out + begin, out + end)) break;
+      if (apart % kLookEvery == 1 && gap >= *std::max_element(out + begin, out + end)) break;
       if (i - apart >= 0) take(i - apart, gap);
       if (i + apart < count) take(i + apart, gap);
       if (i - apart < 0 && i + apart >= count) break;
