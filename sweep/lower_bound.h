@@ -21,7 +21,7 @@
 // du/dx is bilinear in y and z and does not depend on x, and so on, so |grad u|^2 is convex along each axis and largest
 // at a corner, where the three edges that meet there are its components: slope^2 = max over corners of sum (edge/h)^2.
 //
-// The renderer steps by its clearance and not by these: cubes of cells take a tenth to a quarter fewer steps than balls
+// The renderer steps by its clearance and not by these: cubes of cells take a tenth to a fifth fewer steps than balls
 // (tests/bench/rays counts them), for a byte per cell.
 //
 // Unit: the smallest spacing ("voxels"). Unsigned. Nothing mixed: d is infinite, the cell bound is kBoundReach
