@@ -37,11 +37,11 @@ Hit trace(Ray ray) {
   // Relative to the side of the ray, a code of 1 to kClearanceRadiusMask is free space, above it the other side.
   uint code = cellClearance(map, cell);
   uint sideBit = code & kClearanceInside;
-  uint free = code ^ sideBit;
+  uint room = code ^ sideBit;
   // 1 outside, -1 inside; 0: not known before the first cell is solved.
-  float side = free == 0u ? 0.0f : (sideBit == 0u ? 1.0f : -1.0f);
-  bool leaping = free != 0u;
-  float radius = float(free);
+  float side = room == 0u ? 0.0f : (sideBit == 0u ? 1.0f : -1.0f);
+  bool leaping = room != 0u;
+  float radius = float(room);
   bool capped = side < 0.0f && fromFace;
   bool inBox = !capped;
 
@@ -60,9 +60,9 @@ Hit trace(Ray ray) {
             cell = leave.next;
             inBox = cell.x <= lastCell.x && cell.y <= lastCell.y && cell.z <= lastCell.z;
             code = cellClearance(map, cell);
-            free = code ^ sideBit;
-            radius = float(free);
-            leaping = inBox && free - 1u < kClearanceRadiusMask;
+            room = code ^ sideBit;
+            radius = float(room);
+            leaping = inBox && room - 1u < kClearanceRadiusMask;
           } while (leaping);
         }
         if (inBox) {
