@@ -20,8 +20,7 @@ namespace isolume {
 struct SceneFields {
   glm::dmat4 worldFromGrid{1};     ///< index to world: rotation or reflection, spacing, translation; no shear
   GridView<const float> level;     ///< > 0 inside; the surface is its trilinear zero set (sweep/level.h)
-  GridView<const float> distance;  ///< world units, < 0 inside
-  bool distanceNormals = true;     ///< keep the distance as a texture, for NormalSource::distance; tracing needs it not
+  GridView<const float> distance;  ///< world units, < 0 inside; may be empty: only NormalSource::distance reads it
   std::array<GridView<const glm::u8vec4>, 2> octants;  ///< may be empty: then only Shading::local works
 };
 

@@ -44,7 +44,6 @@ SceneTextures uploadScene(const SceneFields& fields) {
     throw GpuError(
         fmt::format("level: expected at least 2 samples along each axis, found {}x{}x{}", size.x, size.y, size.z));
   }
-  checkSize("distance", fields.distance.size, size);
   SceneTextures scene;
   scene.size = size;
   scene.frame = makeGridFrame(fields.worldFromGrid);
@@ -53,7 +52,8 @@ SceneTextures uploadScene(const SceneFields& fields) {
   level.spacing = distance.spacing = scene.frame.spacing;
   scene.level = makeTextureSlices("level", size, kR32F, GL_LINEAR, level.data);
   scene.clearance = makeTextureSlices("clearance", size - 1, kR8UI, GL_NEAREST, buildClearance(level).data());
-  if (fields.distanceNormals) {
+  if (fields.distance.data) {
+    checkSize("distance", fields.distance.size, size);
     scene.distance = makeTextureSlices("distance", size, kR16F, GL_LINEAR, packDistance(distance).data());
   }
   if (fields.octants[0].data) {

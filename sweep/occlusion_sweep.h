@@ -58,6 +58,12 @@ struct SweptFields {
   OctantVisibility visibility;
 };
 
+/// Whether the visibility is swept in the passes of the distance. If not, it is swept through the finished distances,
+/// as sweepVisibility() does.
+inline bool sweptTogether(const SweepOptions& options) {
+  return options.solver == DistanceSolver::godunov && options.extent == DistanceExtent::full;
+}
+
 /// `level` as of makeLevel(): > 0 inside, finite everywhere.
 SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options = {});
 

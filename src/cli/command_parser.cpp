@@ -58,7 +58,7 @@ CommandParser::CommandParser() {
 
   CLI::App& drawing = add("render", "draw the isosurface of a volume into a PNG or EXR");
   addSurfaceOptions(drawing, render.surface);
-  addSolverOption(drawing, render.surface);
+  addDistanceOptions(drawing, render.surface.distance, "band");
   addRenderOptions(drawing, render);
   addRunOptions(drawing, render.run);
 
@@ -69,7 +69,7 @@ CommandParser::CommandParser() {
 
   CLI::App& sweeping = add("fields", "save distance and octant visibility as VDB grids, for render to start from");
   addSurfaceOptions(sweeping, fields.surface);
-  addSolverOption(sweeping, fields.surface);
+  addDistanceOptions(sweeping, fields.surface.distance, "full");
   addOutputOption(sweeping, fields.output, "FILE", "VDB to write (.vdb)");
   addRunOptions(sweeping, fields.run);
 

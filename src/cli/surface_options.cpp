@@ -74,15 +74,30 @@ void addSurfaceOptions(CLI::App& app, SurfaceRequest& target) {
   addReadOptions(app, target.input, target.read);
 }
 
-void addSolverOption(CLI::App& app, SurfaceRequest& target) {
-  OptionGroup(app, "Surface")
-      .value(
-          "--solver", "NAME",
-          [&](const std::string& option, const std::string& text) {
-            target.solver = parseChoice<DistanceSolver>(
-                option, text, {{"godunov", DistanceSolver::godunov}, {"closest", DistanceSolver::closest}});
-          },
-          "distance: godunov, the first-order sweep, or closest,\nexact next to the surface (default: godunov)");
+void addDistanceOptions(CLI::App& app, DistanceRequest& target, const std::string& defaultExtent) {
+  OptionGroup group(app, "Distance");
+  group.value(
+      "--solver", "NAME",
+      [&](const std::string& option, const std::string& text) {
+        target.solver = parseChoice<DistanceSolver>(
+            option, text, {{"godunov", DistanceSolver::godunov}, {"closest", DistanceSolver::closest}});
+      },
+      "closest, exact next to the surface, or godunov, the\nfirst-order sweep (default: closest)");
+  group.value(
+      "--start", "NAME",
+      [&](const std::string& option, const std::string& text) {
+        target.start =
+            parseChoice<DistanceStart>(option, text, {{"paper", DistanceStart::paper}, {"better", DistanceStart::better}});
+      },
+      "where godunov starts: paper, nearest crossed grid edge,\nor better, from the interpolant (default: better)");
+  group.value(
+      "--extent", "KIND",
+      [&](const std::string& option, const std::string& text) {
+        target.extent =
+            parseChoice<DistanceExtent>(option, text, {{"band", DistanceExtent::band}, {"full", DistanceExtent::full}});
+      },
+      "band: 3 voxels about the surface, a safe lower bound\nbeyond; or full, the whole grid (default: " + defaultExtent +
+          ")");
 }
 
 void addOutputOption(CLI::App& app, std::string& target, const std::string& valueName, const std::string& description) {

@@ -11,7 +11,7 @@ namespace isolume {
 void addReadOptions(CLI::App& app, std::string& input, ReadOptions& target);
 void addSurfaceOptions(CLI::App& app, SurfaceRequest& target);
 /// How the distance is found, for commands that sweep.
-void addSolverOption(CLI::App& app, SurfaceRequest& target);
+void addDistanceOptions(CLI::App& app, DistanceRequest& target, const std::string& defaultExtent);
 void addOutputOption(CLI::App& app, std::string& target, const std::string& valueName, const std::string& description);
 void addRunOptions(CLI::App& app, RunOptions& target);
 

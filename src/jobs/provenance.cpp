@@ -76,6 +76,7 @@ Provenance surfaceProvenance(const std::string& command, const std::string& inpu
   settings["isovalue_choice"] = surface.isovalueReason;
   settings["inside"] = insideName(surface.inside);
   if (!surface.gridName.empty()) settings["grid"] = surface.gridName;
+  settings.update(surface.method);
   return provenance;
 }
 
@@ -83,7 +84,7 @@ Provenance renderProvenance(const RenderJob& job, const Surface& surface, const 
                             const std::string& checksums) {
   Provenance provenance = surfaceProvenance(job.run.command, job.surface.input, surface, checksums);
   nlohmann::ordered_json picture = pictureSettings(job);
-  if (surface.source.empty()) picture["solver"] = solverName(job.surface.solver.value_or(DistanceSolver::godunov));
+  picture.update(surface.method);
   const std::string backend(context.backend());
   const std::string cameraText = cameraOptions(camera);
   provenance.metadata.insert(provenance.metadata.end(), {{"isolume:camera", cameraText},

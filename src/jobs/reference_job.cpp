@@ -27,7 +27,7 @@ constexpr std::size_t kCellsPerByte = 8;
 
 /// A fields file holds the level too; its swept fields are of no use here.
 Surface loadSurface(const SurfaceRequest& request, StageLog& log) {
-  if (isFieldsFile(request.input)) return loadScene(request, VisibilityStorage::none, log).surface;
+  if (isFieldsFile(request.input)) return loadScene(request, {}, log).surface;
   return readSurface(request, log);
 }
 

@@ -31,10 +31,9 @@ RenderSettings renderSettings(const RenderJob& job) {
 
 SceneFields sceneFields(const SweptScene& scene, NormalSource normals) {
   SceneFields fields;
-  fields.distanceNormals = normals == NormalSource::distance;
   fields.worldFromGrid = scene.surface.worldFromGrid;
   fields.level = scene.surface.level.view();
-  fields.distance = scene.swept.distance.view();
+  if (normals == NormalSource::distance) fields.distance = scene.swept.distance.view();
   for (std::size_t i = 0; i < fields.octants.size(); ++i)
     if (!scene.swept.visibility.packed[i].empty()) fields.octants[i] = scene.swept.visibility.packed[i].view();
   return fields;
@@ -43,7 +42,7 @@ SceneFields sceneFields(const SweptScene& scene, NormalSource normals) {
 /// What the scene takes on the GPU, as of raymarch/renderer.h.
 std::size_t textureBytes(const SceneFields& fields) {
   constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8;
-  return fields.level.count() * (kLevelBytes + kClearanceBytes + (fields.distanceNormals ? kDistanceBytes : 0) +
+  return fields.level.count() * (kLevelBytes + kClearanceBytes + (fields.distance.data ? kDistanceBytes : 0) +
                                  (fields.octants[0].data ? kOctantsBytes : 0));
 }
 
@@ -56,8 +55,9 @@ void runRenderJob(const RenderJob& job) {
   preloadImageCodec();
   StageLog log(job.run);
 
-  const SweptScene scene = loadScene(
-      job.surface, job.shading == Shading::occlusion ? VisibilityStorage::rgba8 : VisibilityStorage::none, log);
+  FieldNeeds needs{.distance = job.normals == NormalSource::distance};
+  if (job.shading == Shading::occlusion) needs.visibility = VisibilityStorage::rgba8;
+  const SweptScene scene = loadScene(job.surface, needs, log);
   // Beside drawing: it reads the files once more and uses one core.
   std::future<std::string> checksums = std::async(std::launch::async, checksumText, scene.surface.files);
 

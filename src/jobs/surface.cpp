@@ -37,7 +37,6 @@ void refuseSurfaceOptions(const SurfaceRequest& request, double isovalue, Inside
   const RawLayout& raw = request.read.raw;
   const char* option = request.isovalue             ? "--isovalue"
                        : request.inside             ? "--inside"
-                       : request.solver             ? "--solver"
                        : !request.read.grid.empty() ? "--grid"
                        : raw.dims                   ? "--dims"
                        : raw.type                   ? "--type"
@@ -45,7 +44,7 @@ void refuseSurfaceOptions(const SurfaceRequest& request, double isovalue, Inside
                        : raw.offset                 ? "--offset"
                        : raw.spacing                ? "--spacing"
                        : raw.origin                 ? "--origin"
-                                                    : nullptr;
+                                                    : givenOption(request.distance);
   if (option)
     throw UsageError(fmt::format(
         "{}: {} holds fields swept at isovalue {}, inside {}: expected the volume itself for another surface", option,
@@ -78,8 +77,6 @@ SweptScene readScene(const SurfaceRequest& request, VisibilityStorage storage, S
 }  // namespace
 
 const char* insideName(Inside inside) { return inside == Inside::above ? "above" : "below"; }
-
-const char* solverName(DistanceSolver solver) { return solver == DistanceSolver::closest ? "closest" : "godunov"; }
 
 std::size_t visibilityBytes(const OctantVisibility& visibility) {
   std::size_t bytes = 0;
@@ -114,17 +111,29 @@ Surface readSurface(const SurfaceRequest& request, StageLog& log) {
   return surface;
 }
 
-SweptScene loadScene(const SurfaceRequest& request, VisibilityStorage storage, StageLog& log) {
-  if (isFieldsFile(request.input)) return readScene(request, storage, log);
+SweptScene loadScene(const SurfaceRequest& request, const FieldNeeds& needs, StageLog& log) {
+  const SweepOptions method = distanceMethod(request.distance, needs.visibility, needs.extent);
+  if (isFieldsFile(request.input)) return readScene(request, needs.visibility, log);
   SweptScene scene{readSurface(request, log), {}};
-  const glm::ivec3 size = scene.surface.level.size();
-  const bool withVisibility = storage != VisibilityStorage::none;
-  log.begin("distance", fmt::format("sweeping distance{} over {}x{}x{} voxels", withVisibility ? " and visibility" : "",
-                                    size.x, size.y, size.z));
-  scene.swept = sweepOcclusion(scene.surface.level.view(),
-                               {.visibility = storage, .solver = request.solver.value_or(DistanceSolver::godunov)});
+  const bool withVisibility = needs.visibility != VisibilityStorage::none;
+  if (!needs.distance && !withVisibility) return scene;
+  const GridView<const float> level = scene.surface.level.view();
+  const std::string grid = fmt::format("{}x{}x{} voxels", level.size.x, level.size.y, level.size.z);
+  const bool together = withVisibility && sweptTogether(method);
+  log.begin("distance", fmt::format("sweeping distance{} over {}", together ? " and visibility" : "", grid));
+  SweepOptions sweep = method;
+  if (!together) sweep.visibility = VisibilityStorage::none;
+  scene.swept = sweepOcclusion(level, sweep);
+  scene.surface.method = distanceSettings(method);
   log.end(scene.swept.distance.count() * sizeof(float));
-  if (withVisibility) log.addIncluded("visibility", visibilityBytes(scene.swept.visibility), "distance");
+  if (!withVisibility) return scene;
+  if (together) {
+    log.addIncluded("visibility", visibilityBytes(scene.swept.visibility), "distance");
+  } else {
+    log.begin("visibility", "sweeping visibility over " + grid);
+    scene.swept.visibility = sweepVisibility(std::as_const(scene.swept.distance).view(), needs.visibility);
+    log.end(visibilityBytes(scene.swept.visibility));
+  }
   return scene;
 }
 

@@ -8,17 +8,17 @@
 
 #include "raymarch/camera.h"
 #include "src/io/volume.h"
+#include "src/jobs/distance_method.h"
 #include "src/jobs/stage_log.h"
 #include "sweep/level.h"
-#include "sweep/occlusion_sweep.h"
 
 namespace isolume {
 
 struct SurfaceRequest {
   std::string input;
-  std::optional<double> isovalue;        ///< default: defaultIsovalue() of src/io/statistics.h
-  std::optional<Inside> inside;          ///< default: below for a VDB level set, above otherwise
-  std::optional<DistanceSolver> solver;  ///< default: godunov
+  std::optional<double> isovalue;  ///< default: defaultIsovalue() of src/io/statistics.h
+  std::optional<Inside> inside;    ///< default: below for a VDB level set, above otherwise
+  DistanceRequest distance;
   ReadOptions read;
 };
 
@@ -32,6 +32,7 @@ struct Surface {
   LevelSummary summary;
   std::string format, sampleType, gridName;
   std::string source;              ///< of a fields file: how it was made
+  nlohmann::ordered_json method = nlohmann::ordered_json::object();  ///< how its distances were computed (distanceSettings()); empty until they are
   std::vector<std::string> files;  ///< every file that was read
 };
 
@@ -45,9 +46,16 @@ struct SweptScene {
 /// `FILE: no surface at isovalue V: values span A to B`. Tells the user the reader's notes and the number of NaN.
 Surface readSurface(const SurfaceRequest& request, StageLog& log);
 
-/// Stages `read`, `distance` and (if `storage` asks for it) `visibility`; a file of fields has only `read`, and leaves
-/// no choice of surface: UsageError for any such option. Octants of a file are packed if `storage` is rgba8.
-SweptScene loadScene(const SurfaceRequest& request, VisibilityStorage storage, StageLog& log);
+/// What a job wants of a scene.
+struct FieldNeeds {
+  bool distance = false;  ///< visibility needs it in any case
+  VisibilityStorage visibility = VisibilityStorage::none;
+  DistanceExtent extent = DistanceExtent::band;  ///< of the distance, if the user does not say
+};
+
+/// Stages `read` and, as needed, `distance` and `visibility`; a file of fields has only `read`, and leaves no choice of
+/// surface: UsageError for any such option. Octants of a file are packed if they are wanted as rgba8.
+SweptScene loadScene(const SurfaceRequest& request, const FieldNeeds& needs, StageLog& log);
 
 /// Bytes that the visibility takes.
 std::size_t visibilityBytes(const OctantVisibility& visibility);
@@ -56,6 +64,5 @@ std::size_t visibilityBytes(const OctantVisibility& visibility);
 std::array<glm::dvec3, 8> solidCorners(const Surface& surface);
 
 const char* insideName(Inside inside);
-const char* solverName(DistanceSolver solver);
 
 }  // namespace isolume

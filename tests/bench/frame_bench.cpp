@@ -31,8 +31,6 @@ struct Bench {
     fields.worldFromGrid = glm::dmat4(1.0 / kSize);
     fields.worldFromGrid[3][3] = 1;
     fields.level = level.view();
-    fields.distance = swept.distance.view();
-    fields.distanceNormals = false;
     for (std::size_t i = 0; i < 2; ++i) fields.octants[i] = swept.visibility.packed[i].view();
     renderer.upload(fields);
     camera = frameCorners(boxCorners(fields.worldFromGrid, glm::dvec3(20), glm::dvec3(kSize - 21)), 1, {});

@@ -95,11 +95,16 @@ TEST_F(Provenance, ReportHasStagesMemoryAndSettings) {
 }
 
 TEST_F(Provenance, StagesThatAreNotNeededAreNotRun) {
-  // Without occlusion nothing is swept for visibility, and the report does not list it.
+  // Without occlusion nothing is swept, and the report lists no sweep; normals from the distance bring it back.
   runWell({"render", kBallFile, "--occlusion", "none", "--size", "24x16", "--report", "report.json", "-o", "out.png"});
   const auto report = nlohmann::json::parse(fileBytes(path("report.json")));
   std::vector<std::string> names;
   for (const auto& stage : report["stages"]) names.push_back(stage["name"]);
+  EXPECT_THAT(names, ::testing::ElementsAre("read", "upload", "frame", "write"));
+  runWell({"render", kBallFile, "--occlusion", "none", "--normals", "distance", "--size", "24x16", "--report", "d.json",
+           "-o", "out.png"});
+  names.clear();
+  for (const auto& stage : nlohmann::json::parse(fileBytes(path("d.json")))["stages"]) names.push_back(stage["name"]);
   EXPECT_THAT(names, ::testing::ElementsAre("read", "distance", "upload", "frame", "write"));
 }
 

@@ -32,7 +32,6 @@ struct Rendered {
     SceneFields fields;
     fields.worldFromGrid = matrix;
     fields.level = fields.distance = view;
-    fields.distanceNormals = false;
     renderer.upload(fields);
   }
   RayCounts judged(const RayJudge& judge, int views) {

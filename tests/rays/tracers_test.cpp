@@ -157,7 +157,6 @@ TEST(Tracers, ShaderMarchIsTheShader) {
   Renderer renderer(*context);
   SceneFields fields;
   fields.level = fields.distance = level.view();
-  fields.distanceNormals = false;
   renderer.upload(fields);
   RenderSettings settings{.size = kViewSize, .shading = Shading::local};
   settings.layers = true;

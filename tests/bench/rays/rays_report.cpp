@@ -76,7 +76,6 @@ nlohmann::ordered_json work(const Options& options) {
   fields.worldFromGrid = worldFromGrid(volume);
   fields.level = volume.level.view();
   fields.distance = volume.level.view();  // not read: normals from the data
-  fields.distanceNormals = false;
   renderer.upload(fields);
   RenderSettings settings{.size = kViewSize, .shading = Shading::local};
   settings.layers = true;

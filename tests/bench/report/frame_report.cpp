@@ -36,8 +36,6 @@ SceneFields sceneFields(const Surface& surface, const SweptFields& swept) {
   SceneFields fields;
   fields.worldFromGrid = surface.worldFromGrid;
   fields.level = surface.level.view();
-  fields.distance = swept.distance.view();
-  fields.distanceNormals = false;
   for (std::size_t i = 0; i < fields.octants.size(); ++i) fields.octants[i] = swept.visibility.packed[i].view();
   return fields;
 }
