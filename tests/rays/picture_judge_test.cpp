@@ -31,7 +31,7 @@ struct Rendered {
     for (int axis = 0; axis < 3; ++axis) matrix[axis][axis] = view.spacing[axis];
     SceneFields fields;
     fields.worldFromGrid = matrix;
-    fields.level = fields.distance = view;
+    fields.level = view;
     renderer.upload(fields);
   }
   RayCounts judged(const RayJudge& judge, int views) {

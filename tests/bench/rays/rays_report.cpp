@@ -75,7 +75,6 @@ nlohmann::ordered_json work(const Options& options) {
   SceneFields fields;
   fields.worldFromGrid = worldFromGrid(volume);
   fields.level = volume.level.view();
-  fields.distance = volume.level.view();  // not read: normals from the data
   renderer.upload(fields);
   RenderSettings settings{.size = kViewSize, .shading = Shading::local};
   settings.layers = true;
