@@ -65,7 +65,7 @@ def table_of(rows: list[Row], threads: tuple[int, ...]) -> str:
         times = [next((timing(other) for other in rows if (other["scene"], other["solver"]) == key
                        and other["threads"] == count), None) for count in threads]
         lines.append([f"{row['scene']}, {row['solver']}", *map(seconds_text, times),
-                      *(digits(row[key]) for key in ("mean_error", "max_error", "mean_error_near", "max_error_near"))])
+                      *(digits(row[key]) if row[key] is not None else "–" for key in ("mean_error", "max_error", "mean_error_near", "max_error_near"))])
     header = ["scene, solver", *(f"s, {count} thread{'s' if count > 1 else ''}" for count in threads), "mean error",
               "max error", "mean within 3", "max within 3"]
     return table(header, lines)
@@ -73,17 +73,19 @@ def table_of(rows: list[Row], threads: tuple[int, ...]) -> str:
 
 def findings(rows: list[Row]) -> list[str]:
     """Ratios of times and errors of the same scene and number of threads."""
-    ours = {(row["scene"], row["threads"]): row for row in rows if row["solver"].startswith("Isolume")}
     sentences = []
-    for solver in dict.fromkeys(row["solver"] for row in rows):
-        pairs = [(row, ours[row["scene"], row["threads"]]) for row in rows if row["solver"] == solver]
-        if solver.startswith("Isolume"):
-            continue
-        times = range_text((theirs["seconds"] / our["seconds"] for theirs, our in pairs), " times")
-        errors = range_text((theirs["mean_error"] / our["mean_error"] for theirs, our in pairs), " times")
-        near = range_text((theirs["mean_error_near"] / our["mean_error_near"] for theirs, our in pairs), " times")
-        sentences.append(f"{solver} takes {times} as long as Isolume's sweep with as many threads; its mean error is "
-                         f"{errors} Isolume's, within 3 voxels of the surface {near}.")
+    for mine in ("Isolume closest", "Isolume sweep"):
+        ours = {(row["scene"], row["threads"]): row for row in rows if row["solver"] == mine}
+        for solver in dict.fromkeys(row["solver"] for row in rows if not row["solver"].startswith("Isolume")):
+            pairs = [(row, ours[row["scene"], row["threads"]]) for row in rows if row["solver"] == solver]
+            times = range_text((theirs["seconds"] / our["seconds"] for theirs, our in pairs), " times")
+            errors = range_text((theirs["mean_error"] / our["mean_error"] for theirs, our in pairs), " times")
+            near = range_text((theirs["mean_error_near"] / our["mean_error_near"] for theirs, our in pairs), " times")
+            sentences.append(f"{solver} takes {times} as long as {mine} with as many threads; its mean error is "
+                             f"{errors} ours, within 3 voxels of the surface {near}.")
+        band = {(row["scene"], row["threads"]): row for row in rows if row["solver"] == f"{mine}, band"}
+        share = range_text(band[key]["seconds"] / row["seconds"] for key, row in ours.items())
+        sentences.append(f"The band alone takes {share} of the time of {mine} over the whole grid.")
     return sentences
 
 

@@ -16,6 +16,7 @@ from .stats import digits  # noqa: E402
 BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE, GREY = ("#000000", "#e69f00", "#56b4e9", "#009e73", "#0072b2",
                                                             "#d55e00", "#cc79a7", "#999999")
 OTHERS = (BLUE, ORANGE, GREEN, PURPLE, SKY)
+OURS = ("o", "*", "X", "p", "h")
 MARKERS = ("s", "^", "D", "v", "P")
 PANEL_INCHES = (4.6, 3.7)
 # The same bytes for the same numbers.
@@ -24,11 +25,12 @@ matplotlib.rcParams.update({"svg.hashsalt": "isolume", "svg.fonttype": "none", "
 
 
 def style_of(names: list[str]) -> dict[str, tuple[str, str]]:
-    """Colour and marker: Isolume's own stand out, the others go through the palette."""
-    styles, others = {}, 0
+    """Colour and marker: Isolume's own stand out in one colour, the others go through the palette."""
+    styles, ours, others = {}, 0, 0
     for name in names:
         if name.startswith("Isolume"):
-            styles[name] = (VERMILION, "o")
+            styles[name] = (VERMILION, OURS[ours % len(OURS)])
+            ours += 1
         else:
             styles[name] = (OTHERS[others % len(OTHERS)], MARKERS[others % len(MARKERS)])
             others += 1
@@ -67,8 +69,10 @@ def finish(axes: Any, x: str, y: str, log_x: bool = True, log_y: bool = True) ->
 def legend_below(figure: Any, axes: Any) -> None:
     """One legend for all panels, under them."""
     handles, labels = axes.get_legend_handles_labels()
-    figure.tight_layout(rect=(0, 0.08, 1, 0.97))
-    figure.legend(handles, labels, loc="lower left", ncol=len(labels), frameon=False, fontsize=9)
+    columns = 4
+    rows = -(-len(labels) // columns)
+    figure.tight_layout(rect=(0, 0.03 + 0.05 * rows, 1, 0.97))
+    figure.legend(handles, labels, loc="lower left", ncol=min(len(labels), columns), frameon=False, fontsize=9)
 
 
 def save(figure: Any, path: Path) -> None:
@@ -85,7 +89,7 @@ def distance_plot(rows: list[Row], path: Path) -> None:
     for axes, key, label in zip(panels, ("mean_error", "mean_error_near"),
                                 ("mean error, whole grid, voxels", "mean error within 3 voxels, voxels")):
         for solver, (color, marker) in styles.items():
-            mine = [row for row in rows if row["solver"] == solver]
+            mine = [row for row in rows if row["solver"] == solver and row[key] is not None]
             axes.scatter([row["seconds"] for row in mine], [row[key] for row in mine], color=color, marker=marker,
                          s=42, label=solver)
         finish(axes, "seconds", label)

@@ -11,10 +11,11 @@ from .stats import Timing, digits, seconds_text
 
 INTRODUCTION = """\
 `isolume render` on `{scene}`, {width} x {height} pixels, from a VDB file to an EXR with all layers: what `--report`
-says of a whole process, reading and writing included. Distance and visibility are swept in one pass (`sweep`)."""
+says of a whole process, reading and writing included; distance and visibility by default, that is about the surface,
+and visibility swept through it."""
 
 MIB = 2**20
-STAGES = {"read": "read", "distance": "sweep", "upload": "upload", "frame": "frame", "write": "write"}
+STAGES = {"read": "read", "distance": "distance", "visibility": "visibility", "upload": "upload", "frame": "frame", "write": "write"}
 
 
 def run(programs: Programs, scene: volumes.Scene, matrix: Matrix, threads: int) -> Row:
@@ -51,7 +52,8 @@ def findings(rows: list[Row]) -> list[str]:
     here = [row for row in rows if row["threads"] == threads]
     small, large = here[0], here[-1]
     return [f"From {small['scene']} to {large['scene']} voxels grow {digits(large['voxels'] / small['voxels'])} times, "
-            f"the time of the sweep {digits(large['sweep'] / small['sweep'])} times, of the whole job "
+            f"the time of the distance {digits(large['distance'] / small['distance'])} times, of the visibility "
+            f"{digits(large['visibility'] / small['visibility'])} times, of the whole job "
             f"{digits(large['seconds'] / small['seconds'])} times and peak memory "
             f"{digits(large['peak_rss_mib'] / small['peak_rss_mib'])} times ({threads} threads)."]
 

@@ -35,15 +35,17 @@ Grid<float> readLevel(const Options& options) {
 nlohmann::ordered_json judge(const DistanceSolver& solver, int runs, const std::vector<JudgedVoxel>& voxels) {
   const std::vector<double> seconds = timedRuns(runs, solver.solve);
   const DistanceError error = distanceError(voxels, solver);
-  return {{"solver", solver.name},
-          {"version", solver.version},
-          {"call", solver.call},
-          {"seconds", seconds},
-          {"mean_error", error.mean},
-          {"max_error", error.max},
-          {"mean_error_near", error.meanNear},
-          {"max_error_near", error.maxNear},
-          {"wrong_sign", error.wrongSign}};
+  nlohmann::ordered_json judged{{"solver", solver.name},
+                                {"version", solver.version},
+                                {"call", solver.call},
+                                {"seconds", seconds},
+                                {"mean_error", error.mean},
+                                {"max_error", error.max},
+                                {"mean_error_near", error.meanNear},
+                                {"max_error_near", error.maxNear},
+                                {"wrong_sign", error.wrongSign}};
+  if (!solver.everywhere) judged["mean_error"] = judged["max_error"] = nullptr;
+  return judged;
 }
 
 nlohmann::ordered_json work(const Options& options) {
@@ -59,8 +61,10 @@ nlohmann::ordered_json work(const Options& options) {
                                 {"near", kNearVoxels}};
   report["solvers"] = nlohmann::ordered_json::array();
   report["gaps"] = nlohmann::ordered_json::array();
-  for (const auto& make : {isolumeSolver, openVdbSolver,
-                           +[](GridView<const float> view) { return itkMaurerSolver(view, threadCount()); }}) {
+  for (const DistanceSolver& solver : isolumeSolvers(level.view()))
+    report["solvers"].push_back(judge(solver, options.runs, voxels));
+  for (const auto& make :
+       {openVdbSolver, +[](GridView<const float> view) { return itkMaurerSolver(view, threadCount()); }}) {
     const SolverOrGap made = make(level.view());
     if (made.solver)
       report["solvers"].push_back(judge(*made.solver, options.runs, voxels));

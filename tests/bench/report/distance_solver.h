@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sweep/grid.h"
 
@@ -16,6 +17,7 @@ struct DistanceSolver {
   std::function<void()> solve;
   /// The result at a sample, < 0 inside, in units of the smallest spacing. Only after solve().
   std::function<double(int x, int y, int z)> distanceAt;
+  bool everywhere = true;  ///< false: exact about the surface, a bound beyond, so that only errors there count
 };
 
 /// `level` > 0 inside, borrowed as long as the solver lives. A solver without a value cannot work on such a grid, or is
@@ -26,7 +28,8 @@ struct SolverOrGap {
   std::string gap;
 };
 
-SolverOrGap isolumeSolver(GridView<const float> level);
+/// Ours, each a choice of solver, start and extent.
+std::vector<DistanceSolver> isolumeSolvers(GridView<const float> level);
 SolverOrGap openVdbSolver(GridView<const float> level);
 SolverOrGap itkMaurerSolver(GridView<const float> level, int threads);
 

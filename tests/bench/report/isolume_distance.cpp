@@ -6,20 +6,39 @@
 #include "tests/bench/report/distance_solver.h"
 
 namespace isolume::bench {
+namespace {
 
-SolverOrGap isolumeSolver(GridView<const float> level) {
+DistanceSolver makeSolver(const std::string& name, const std::string& call, const SweepOptions& options,
+                          GridView<const float> level) {
   const auto fields = std::make_shared<SweptFields>();
   const double unit = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
-  const auto solve = [level, fields] {
+  const auto solve = [level, fields, options] {
     *fields = {};
-    *fields = sweepOcclusion(level, {.visibility = VisibilityStorage::none});
+    *fields = sweepOcclusion(level, options);
   };
   const auto distanceAt = [fields, unit](int x, int y, int z) { return fields->distance.view()(x, y, z) / unit; };
-  const std::string name = "Isolume sweep";
-  return {name,
-          DistanceSolver{name, std::string(kVersion), "sweepOcclusion, no visibility, one round of eight sweeps", solve,
-                         distanceAt},
-          ""};
+  return {name, std::string(kVersion), call, solve, distanceAt, options.extent == DistanceExtent::full};
+}
+
+}  // namespace
+
+std::vector<DistanceSolver> isolumeSolvers(GridView<const float> level) {
+  constexpr VisibilityStorage kNone = VisibilityStorage::none;
+  return {
+      makeSolver("Isolume closest", "`--solver closest --extent full`: points carried by vector passes",
+                 {.visibility = kNone, .solver = isolume::DistanceSolver::closest}, level),
+      makeSolver("Isolume closest, band", "`--solver closest --extent band`: 3 voxels about the surface",
+                 {.visibility = kNone, .solver = isolume::DistanceSolver::closest, .extent = DistanceExtent::band},
+                 level),
+      makeSolver("Isolume sweep", "`--solver godunov --extent full`: one round of eight sweeps, better start",
+                 {.visibility = kNone, .solver = isolume::DistanceSolver::godunov}, level),
+      makeSolver("Isolume sweep, band", "`--solver godunov --extent band`: 3 voxels about the surface",
+                 {.visibility = kNone, .solver = isolume::DistanceSolver::godunov, .extent = DistanceExtent::band},
+                 level),
+      makeSolver("Isolume sweep, paper's start", "`--solver godunov --start paper --extent full`: as published",
+                 {.visibility = kNone, .solver = isolume::DistanceSolver::godunov, .start = DistanceStart::paper},
+                 level),
+  };
 }
 
 }  // namespace isolume::bench
