@@ -109,8 +109,12 @@ bool startRow(GridView<const float> level, DistanceStart start, float unset, int
     row[x] = startValueAt(rows, spacing, unset, size.x, x, onBorder);
     crossed |= isFixed(row[x]);
   };
+  // The cap is rare on the border, and left to the plain form.
+  int inside = 0;
+  if (onBorder)
+    for (int x = 0; x < size.x; ++x) inside += here[x] > 0 ? 1 : 0;
   int done = 0;
-  if (!onBorder) {
+  if (inside == 0) {
     startOne(0);
     const InnerRow inner = HWY_DYNAMIC_DISPATCH(startInnerRow)(rows, spacing, unset, size.x, row);
     done = inner.end;
