@@ -1,9 +1,11 @@
-// How much of a grid a distance field covers exactly.
+// How far from the surface a distance field is solved.
 #pragma once
 
 namespace isolume {
 
-/// Exact everywhere, or only within a band around the surface, with a safe lower bound of the magnitude beyond.
-enum class DistanceExtent { full, band };
+enum class DistanceExtent {
+  full,  ///< at every sample
+  band   ///< within some voxels of the surface; beyond, a lower bound of the distance that is the same everywhere
+};
 
 }  // namespace isolume

@@ -2,15 +2,31 @@
 //
 // Distance: solves |grad D| = 1 with D = 0 on the surface by one Gauss-Seidel sweep per octant ([Singh10] Sec. 1.1,
 // Table 1; [Zhao05]), D < 0 inside the solid, in world units, at voxel centres. Any spacing. Samples next to the
-// surface start from the nearest crossing of their six grid edges and stay fixed. A solid that reaches the border of
-// the grid ends there: the border is surface ("cap"). No surface at all: +inf or -inf everywhere.
+// surface start from their distance to the interpolant, or the paper's axis minimum (surface_start.h), and stay fixed,
+// but that none exceeds a neighbour's by more than the spacing between them. A solid that reaches the border of the
+// grid ends there: the border is surface ("cap"). No surface at all: +inf or -inf everywhere.
+//
+// Fixed point: an update is exactly monotone in float (upwind_update-inl.h), so rounds from unset values down end, and
+// they end at the greatest fixed point whatever the order of the sweeps: with as many rounds as it takes, mirrored and
+// permuted grids give the same bits. One round is within a twentieth of a voxel of that on a ball, more where shortest
+// paths wind (a gyroid).
+//
+// Error against the trilinear surface, voxels, one round, `better` (`paper` in brackets):
+//   250^3    mean            largest       mean within 3 voxels    mean at start values
+//   sphere   .204 (.295)     1.03 (.89)    .0043 (.086)            .0017
+//   torus    .220 (.286)     .67 (.83)     .0069 (.079)            .0017
+//   box      .381 (.381)     2.12 (2.12)   .0039 (.0041)           .0003
+//   gyroid   .330 (.418)     1.25 (1.33)   .0089 (.112)            .0022
+// The largest on the sphere is too short, at its centre, where six fronts meet and the scheme rounds the peak: a start
+// that is too long hides that. Far from the surface D is too long at three quarters of the samples and more.
 //
 // Visibility: V_s in [0, 1], 1 where octant s is unobstructed ([Singh10] Eq. 6), with the transmittance of Eq. 7 over
 // the smallest spacing. Light enters at the border of the grid. On anisotropic grids the three neighbours weigh 1/h_i,
 // which keeps the paper's direction (1, 1, 1) in world space; at equal spacings the weights are the paper's 1/3.
 //
 // Cost: O(n) per sweep, eight sweeps. Memory per voxel: distance 4 B; octants rgba8 8 B (12 B while sweeping),
-// float32 32 B; O(n^(2/3)) scratch. Bitwise the same for any number of threads and any SIMD width.
+// float32 32 B; O(n^(2/3)) scratch, for a band one byte for 128 voxels more. Bitwise the same for any number of threads
+// and any SIMD width.
 #pragma once
 
 #include <array>

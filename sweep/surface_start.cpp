@@ -41,7 +41,8 @@ HWY_INLINE FloatVec nearer(FloatVec best, FloatVec here, FloatVec there, float s
   return hn::IfThenElse(hn::MaskFromVec(crossed), hn::Min(best, along), best);
 }
 
-// Vectors from x = 1 on that stay clear of the last voxel.
+// All voxels but the row's ends in vectors, the last of which may overlap the one before; none in a row that is
+// shorter than a vector.
 InnerRow startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, float bound, int count, float* out) {
   const FloatTag d;
   const hn::RebindToUnsigned<FloatTag> du;
@@ -49,7 +50,8 @@ InnerRow startInnerRow(const RowNeighbours& rows, glm::vec3 spacing, float bound
   const auto zero = hn::Zero(d);
   int x = 1;
   bool crossed = false;
-  for (; x + lanes < count; x += lanes) {
+  for (; x + 1 < count && count > lanes + 1; x += lanes) {
+    x = std::min(x, count - 1 - lanes);
     const auto here = hn::LoadU(d, rows.here + x);
     const FloatVec there[6] = {hn::LoadU(d, rows.here + x - 1), hn::LoadU(d, rows.here + x + 1),
                                hn::LoadU(d, rows.yBefore + x),  hn::LoadU(d, rows.yAfter + x),
@@ -107,8 +109,12 @@ bool startRow(GridView<const float> level, DistanceStart start, float unset, int
     row[x] = startValueAt(rows, spacing, unset, size.x, x, onBorder);
     crossed |= isFixed(row[x]);
   };
+  // The cap is rare on the border, and left to the plain form.
+  int inside = 0;
+  if (onBorder)
+    for (int x = 0; x < size.x; ++x) inside += here[x] > 0 ? 1 : 0;
   int done = 0;
-  if (!onBorder) {
+  if (inside == 0) {
     startOne(0);
     const InnerRow inner = HWY_DYNAMIC_DISPATCH(startInnerRow)(rows, spacing, unset, size.x, row);
     done = inner.end;

@@ -46,33 +46,7 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
   auto difference = hn::Zero(du);
   const int steps = span.count + lanes - 1;
   for (int u = 0; u < steps + kTilePlanes - 1; ++u) {
-    // All planes read what the planes held one step ago, so their updates do not wait for each other.
-    FloatVec old[kTilePlanes];
-    Upwind upwind[kTilePlanes];
-    FloatMask lower[kTilePlanes];
-    HWY_UNROLL(4)
-    for (int p = 0; p < kTilePlanes; ++p) {
-      const std::ptrdiff_t t = u - p;
-      const auto below = p == 0 ? hn::Load(d, buffers.carriedDistance + carriedOrigin + t * lanes)
-                                : previousDistance[p == 0 ? 0 : p - 1];
-      const auto before = previousDistance[p];
-      const auto rowBelow = hn::Set(d, buffers.rowDistance[p * rowStride + rowOrigin + t]);
-      const auto beside = hn::IfThenElse(lane0, rowBelow, hn::TableLookupLanes(before, up));
-      upwind[p] = {hn::Abs(before), hn::Abs(beside), hn::Abs(below)};
-      old[p] = hn::Load(d, buffers.distance + p * planeStride + origin + t * lanes);
-      lower[p] = mayLower<kIsotropic>(hn::Abs(old[p]), upwind[p], metric);
-    }
-    FloatVec distance[kTilePlanes];
-    HWY_UNROLL(4)
-    for (int p = 0; p < kTilePlanes; ++p) {
-      distance[p] = old[p];
-      if (hn::AllFalse(d, lower[p])) continue;
-      const auto magnitude = lowered<kIsotropic>(hn::Abs(old[p]), lower[p], upwind[p], metric);
-      distance[p] = hn::CopySignToAbs(magnitude, old[p]);
-      difference = hn::Or(difference, hn::Xor(hn::BitCast(du, distance[p]), hn::BitCast(du, old[p])));
-      hn::Store(distance[p], d,
-                buffers.distance + p * planeStride + origin + static_cast<std::ptrdiff_t>(u - p) * lanes);
-    }
+    // From the last plane to the first: plane p reads what plane p - 1 held one step ago.
     HWY_UNROLL(4)
     for (int p = kTilePlanes - 1; p >= 0; --p) {
       const std::ptrdiff_t t = u - p;
@@ -80,6 +54,20 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
       const std::ptrdiff_t carried = carriedOrigin + t * lanes;
       // The last lane is lanes - 1 voxels behind; a masked store puts it where its x is.
       const std::ptrdiff_t atLastRow = atRow - 2 * (lanes - 1);
+      float* cell = buffers.distance + p * planeStride + origin + t * lanes;
+      const auto below = p == 0 ? hn::Load(d, buffers.carriedDistance + carried) : previousDistance[p == 0 ? 0 : p - 1];
+      const auto before = previousDistance[p];
+      const auto beside =
+          hn::IfThenElse(lane0, hn::Set(d, buffers.rowDistance[atRow]), hn::TableLookupLanes(before, up));
+      const Upwind upwind{hn::Abs(before), hn::Abs(beside), hn::Abs(below)};
+      const auto old = hn::Load(d, cell);
+      auto distance = old;
+      const auto lower = mayLower<kIsotropic>(hn::Abs(old), upwind, metric);
+      if (!hn::AllFalse(d, lower)) {
+        distance = hn::CopySignToAbs(lowered<kIsotropic>(hn::Abs(old), lower, upwind, metric), old);
+        difference = hn::Or(difference, hn::Xor(hn::BitCast(du, distance), hn::BitCast(du, old)));
+        hn::Store(distance, d, cell);
+      }
       if constexpr (kLight) {
         const auto lightBelow =
             p == 0 ? hn::Load(d, buffers.carriedLight + carried) : previousLight[p == 0 ? 0 : p - 1];
@@ -91,17 +79,16 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
                                  hn::Mul(weightZ, lightBelow));
         const auto visibility = hn::IfThenElseZero(hn::Ge(sum, hn::Set(d, kDarkest)), sum);
         // [Singh10] Eq. 7 with h = the smallest spacing.
-        const auto transmittance =
-            hn::Min(hn::Max(hn::Add(distance[p], hn::Set(d, 0.5F)), hn::Zero(d)), hn::Set(d, 1.0F));
+        const auto transmittance = hn::Min(hn::Max(hn::Add(distance, hn::Set(d, 0.5F)), hn::Zero(d)), hn::Set(d, 1.0F));
         const auto leaving = hn::Mul(visibility, transmittance);
         previousLight[p] = leaving;
         hn::Store(visibility, d, buffers.visibility + p * planeStride + origin + t * lanes);
         hn::BlendedStore(leaving, lastLane, d, buffers.lastRowLight + atLastRow);
         if (p == kTilePlanes - 1) hn::Store(leaving, d, buffers.carriedLight + carried);
       }
-      previousDistance[p] = distance[p];
-      hn::BlendedStore(distance[p], lastLane, d, buffers.lastRowDistance + atLastRow);
-      if (p == kTilePlanes - 1) hn::Store(distance[p], d, buffers.carriedDistance + carried);
+      previousDistance[p] = distance;
+      hn::BlendedStore(distance, lastLane, d, buffers.lastRowDistance + atLastRow);
+      if (p == kTilePlanes - 1) hn::Store(distance, d, buffers.carriedDistance + carried);
     }
   }
   return !hn::AllTrue(du, hn::Eq(difference, hn::Zero(du)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/tile_io.cpp"
@@ -69,6 +70,15 @@ struct RowPart {
   int x, count;
   bool whole(int lanes) const { return x >= 0 && x + lanes <= count; }
   bool empty(int lanes) const { return x + lanes <= 0 || x >= count; }
+  // The voxels that exist, in memory order.
+  HWY_INLINE hn::Mask<FloatTag> inMemory(std::ptrdiff_t strideX) const {
+    const FloatTag d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const int first = std::max(0, -x), last = std::min(lanes, count - x);
+    const auto begin = static_cast<std::size_t>(strideX > 0 ? first : lanes - last);
+    const auto end = static_cast<std::size_t>(strideX > 0 ? last : lanes - first);
+    return hn::AndNot(hn::FirstN(d, begin), hn::FirstN(d, end));
+  }
 };
 
 // Where the row's vector starts in memory: at its last voxel if the walk runs against it.
@@ -84,12 +94,19 @@ HWY_INLINE FloatVec loadPart(const float* row, std::ptrdiff_t strideX, RowPart p
   const int lanes = static_cast<int>(hn::Lanes(d));
   if (part.whole(lanes)) return hn::LoadU(d, memoryStart(row, strideX, part.x, lanes));
   if (part.empty(lanes)) return hn::Set(d, kOutsideDistance);
+#if HWY_TARGET <= HWY_AVX2
+  // Masked loads touch no memory outside of the mask.
+  const auto mask = part.inMemory(strideX);
+  const auto values = hn::MaskedLoad(mask, d, memoryStart(row, strideX, part.x, lanes));
+  return hn::IfThenElse(mask, values, hn::Set(d, kOutsideDistance));
+#else
   alignas(64) float values[kMaxLanes];
   for (int i = 0; i < lanes; ++i) {
     const int x = part.x + i;
     values[strideX > 0 ? i : lanes - 1 - i] = x >= 0 && x < part.count ? row[x * strideX] : kOutsideDistance;
   }
   return hn::Load(d, values);
+#endif
 }
 
 HWY_INLINE void storeWhole(FloatVec values, float* to) { hn::StoreU(values, FloatTag(), to); }
@@ -102,6 +119,12 @@ template <class T>
 HWY_INLINE void storePart(FloatVec values, T* row, std::ptrdiff_t strideX, RowPart part) {
   const int lanes = static_cast<int>(hn::Lanes(FloatTag()));
   if (part.whole(lanes)) return storeWhole(values, memoryStart(row, strideX, part.x, lanes));
+#if HWY_TARGET <= HWY_AVX2
+  if constexpr (std::is_same_v<T, float>) {
+    float* to = memoryStart(row, strideX, part.x, lanes);
+    return hn::BlendedStore(values, part.inMemory(strideX), FloatTag(), to);
+  }
+#endif
   T inMemory[kMaxLanes];
   storeWhole(values, inMemory);
   for (int i = std::max(0, -part.x); i < std::min(lanes, part.count - part.x); ++i)

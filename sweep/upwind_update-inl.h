@@ -176,7 +176,7 @@ HWY_INLINE FloatVec estimateAnisotropic(const Upwind& a, const VectorMetric& met
 
 // The new magnitude of lanes that mayLower() names; the others keep theirs.
 template <bool kIsotropic>
-HWY_NOINLINE FloatVec lowered(FloatVec magnitude, FloatMask lanes, Upwind a, const VectorMetric& metric) {
+HWY_INLINE FloatVec lowered(FloatVec magnitude, FloatMask lanes, Upwind a, const VectorMetric& metric) {
   if constexpr (kIsotropic) a = sorted(a);
   const auto estimate = kIsotropic ? estimateIsotropic(a) : estimateAnisotropic(a, metric);
   auto value = withoutFixedBit(estimate);

@@ -4,7 +4,8 @@
 // unless --threads is given by TBB's environment. Items = voxels x sweeps, so that 1 / items_per_second is the time per
 // voxel and sweep. Beside each time: mean and largest error of the distance in voxels, checked after timing. The plain
 // loops are the same algorithm one voxel at a time on one core: compare with them in the same run, for absolute times
-// drift on shared machines.
+// drift on shared machines. A band counts all voxels of the grid, whether swept or not, and its errors are those of its
+// bound; manyRounds sweeps until nothing changes; lightAlone goes through given distances.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -55,21 +56,41 @@ glm::ivec3 sizeOf(const benchmark::State& state) {
   return {static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), static_cast<int>(state.range(2))};
 }
 
-void sweepAs(benchmark::State& state, VisibilityStorage visibility) {
+void sweepAs(benchmark::State& state, const SweepOptions& options) {
   setThreadCount(static_cast<int>(state.range(3)));
   const Ball ball = makeBall(sizeOf(state));
   SweptFields fields;
   for (auto _ : state) {
     fields = {};
-    fields = sweepOcclusion(ball.level.view(), {.visibility = visibility});
+    fields = sweepOcclusion(ball.level.view(), options);
     benchmark::DoNotOptimize(fields.distance.data());
   }
   reportError(state, ball, fields.distance.data());
   setThreadCount(0);
 }
 
-void distanceAlone(benchmark::State& state) { sweepAs(state, VisibilityStorage::none); }
-void eightOctants(benchmark::State& state) { sweepAs(state, VisibilityStorage::rgba8); }
+constexpr VisibilityStorage kNone = VisibilityStorage::none;
+
+void distanceAlone(benchmark::State& state) { sweepAs(state, {.visibility = kNone}); }
+void paperStart(benchmark::State& state) { sweepAs(state, {.visibility = kNone, .start = DistanceStart::paper}); }
+void manyRounds(benchmark::State& state) {
+  constexpr int kMany = 1000;
+  sweepAs(state, {.visibility = kNone, .rounds = kMany});
+}
+void bandAlone(benchmark::State& state) { sweepAs(state, {.visibility = kNone, .extent = DistanceExtent::band}); }
+void eightOctants(benchmark::State& state) { sweepAs(state, {}); }
+
+void lightAlone(benchmark::State& state) {
+  setThreadCount(static_cast<int>(state.range(3)));
+  const Ball ball = makeBall(sizeOf(state));
+  const SweptFields fields = sweepOcclusion(ball.level.view(), {.visibility = kNone});
+  for (auto _ : state) {
+    const OctantVisibility visibility = sweepVisibility(fields.distance.view(), VisibilityStorage::rgba8);
+    benchmark::DoNotOptimize(visibility.packed[0].data());
+  }
+  reportError(state, ball, fields.distance.data());
+  setThreadCount(0);
+}
 
 void plainLoops(benchmark::State& state) {
   const Ball ball = makeBall(sizeOf(state));
@@ -87,6 +108,10 @@ void tableSizes(benchmark::internal::Benchmark* b) {
 }
 
 BENCHMARK(distanceAlone)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(paperStart)->Args({256, 256, 256, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(manyRounds)->Args({256, 256, 256, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(bandAlone)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(lightAlone)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(eightOctants)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(plainLoops)->Args({100, 100, 100, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -160,8 +160,8 @@ TEST(Distance, ConvergesWithTheFirstOrder) {
     EXPECT_GT(order, 0.7);
     EXPECT_LT(order, 1.3);
   }
-  // The error stays near a quarter of a voxel on average (the axis-minimum start and the first order) and below two.
-  EXPECT_LT(fine.mean * 0.31 * 160, 0.35);
+  // The error stays near a fifth of a voxel on average (first order) and below two.
+  EXPECT_LT(fine.mean * 0.31 * 160, 0.25);
   EXPECT_LT(fine.max * 0.31 * 160, 2);
   EXPECT_GT(fine.mean * 0.31 * 160, 0.05)
       << "better than first order can be: is the exact distance compared with itself?";

@@ -49,6 +49,17 @@ TEST(SweepLayout, EqualsPlainLoopsForAnySize) {
   }
 }
 
+TEST(SweepLayout, EqualsPlainLoopsOnPlateaus) {
+  // Samples exactly at the isovalue, and edges crossed equally far on both sides.
+  Grid<float> level = noiseLevel({41, 22, 19}, {1, 1, 1.5}, 23);
+  for (std::size_t i = 0; i < level.count(); ++i) {
+    float& value = level.data()[i];
+    value = value > 0.4F ? 1.0F : value > 0.2F ? 0.0F : -1.0F;
+  }
+  expectEqualsPlain(level.view());
+  expectEqualsPlain(level.view(), 3);
+}
+
 TEST(SweepLayout, EqualsPlainLoopsOnSparseSurfacesAndAnySpacing) {
   // Long empty runs, where unset values must spread correctly, at isotropic and anisotropic spacings, and more rounds.
   const glm::dvec3 spacings[] = {{1, 1, 1}, {0.957, 0.957, 1.5}, {3, 1, 2}, {1e-6, 2e-6, 1e-6}, {700, 700, 1234}};

@@ -1,12 +1,15 @@
 // Octant visibility: bounds, closed forms, symmetry, and the bias of the faithful mode, stated as numbers.
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "support/simd_targets.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
 #include "sweep/geometry_terms.h"
@@ -203,6 +206,60 @@ TEST(Visibility, AloneItIsEquationSixThroughTheGivenDistances) {
     }
     EXPECT_LT(least, 0.5);
   }
+}
+
+// The same in float and in the order of the vectorised sweep.
+std::vector<float> plainVisibilityInFloat(GridView<const float> distance, glm::ivec3 sign) {
+  const glm::ivec3 n = distance.size;
+  const double smallest = std::min({distance.spacing.x, distance.spacing.y, distance.spacing.z});
+  const glm::dvec3 h = distance.spacing / smallest;
+  const double inverseSum = 1 / h.x + 1 / h.y + 1 / h.z;
+  glm::vec3 weight(1 / h.x / inverseSum, 1 / h.y / inverseSum, 0);
+  weight.z = 1.0F - (weight.x + weight.y);
+  const float perSmallest = 1 / static_cast<float>(smallest);
+  constexpr float kDarkest = 1e-20F;
+  std::vector<float> visibility(distance.count());
+  for (int k = 0; k < n.z; ++k)
+    for (int j = 0; j < n.y; ++j)
+      for (int i = 0; i < n.x; ++i) {
+        const glm::ivec3 p(sign.x > 0 ? i : n.x - 1 - i, sign.y > 0 ? j : n.y - 1 - j, sign.z > 0 ? k : n.z - 1 - k);
+        glm::vec3 light(1);
+        for (int axis = 0; axis < 3; ++axis) {
+          glm::ivec3 q = p;
+          q[axis] -= sign[axis];
+          if (q[axis] < 0 || q[axis] >= n[axis]) continue;
+          const float given = distance(q.x, q.y, q.z);
+          // A start value: its last bit is set (surface_start.h).
+          const float magnitude = withFixedBit(std::min(std::abs(given) * perSmallest, 2.0F), true);
+          const float tau = std::clamp(std::copysign(magnitude, given) + 0.5F, 0.0F, 1.0F);
+          light[axis] = visibility[distance.index(q.x, q.y, q.z)] * tau;
+        }
+        const float sum = (weight.x * light.x + weight.y * light.y) + weight.z * light.z;
+        visibility[distance.index(p.x, p.y, p.z)] = sum >= kDarkest ? sum : 0;
+      }
+  return visibility;
+}
+
+TEST(Visibility, AloneItHasTheBitsOfPlainLoopsOnEveryInstructionSet) {
+  // Light alone through given distances, infinite ones too, equals plain loops bit for bit, for any size and spacing.
+  const int tried = test::onEverySimdTarget([] {
+    for (const glm::ivec3& size : {glm::ivec3(1, 1, 1), glm::ivec3(3, 40, 9), glm::ivec3(53, 37, 22)})
+      for (const glm::dvec3& spacing : {glm::dvec3(1), glm::dvec3(0.3, 1.1, 0.7), glm::dvec3(1e-6, 2e-6, 1e-6)}) {
+        Grid<float> distance = noiseLevel(size, spacing, 18);
+        for (std::size_t i = 0; i < distance.count(); ++i) {
+          float& value = distance.data()[i];
+          value = (value + 0.4F) * static_cast<float>(spacing.x);
+          if (i % 50 == 7) value = std::copysign(std::numeric_limits<float>::infinity(), value);
+        }
+        const OctantVisibility swept = sweepVisibility(distance.view(), VisibilityStorage::float32);
+        for (std::size_t s = 0; s < kOctants.size(); ++s) {
+          const std::vector<float> plain = plainVisibilityInFloat(distance.view(), kOctants[s].sweep);
+          EXPECT_EQ(std::memcmp(swept.octants[s].data(), plain.data(), plain.size() * sizeof(float)), 0)
+              << "octant " << s;
+        }
+      }
+  });
+  EXPECT_GE(tried, 1);
 }
 
 TEST(Visibility, WithClosestPointsGoesThroughTheirDistances) {
