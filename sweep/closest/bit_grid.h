@@ -20,14 +20,16 @@ using BitRow = std::vector<std::uint64_t>;
 class BitGrid {
  public:
   explicit BitGrid(glm::ivec3 size)
-      : size_(size), words_((size.x + kWordBits - 1) / kWordBits),
+      : size_(size),
+        words_((size.x + kWordBits - 1) / kWordBits),
         bits_(voxelCount({words_, size.y, size.z}), std::uint64_t{0}) {}
 
   glm::ivec3 size() const { return size_; }
   int words() const { return words_; }
   std::uint64_t* row(int y, int z) {
-    return bits_.data() + (static_cast<std::size_t>(z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(y)) *
-                              static_cast<std::size_t>(words_);
+    return bits_.data() +
+           (static_cast<std::size_t>(z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(words_);
   }
   const std::uint64_t* row(int y, int z) const { return const_cast<BitGrid*>(this)->row(y, z); }
   /// False beyond the grid.

@@ -23,11 +23,10 @@ void takeBatch(const OffsetField& field, glm::vec3 step, int z, unsigned axes, f
   const float* planes[3][3];  // of z - 1, z, z + 1; beyond the grid z itself, where the samples are not better
   for (int dz = -1; dz <= 1; ++dz)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      planes[dz + 1][axis] =
-          field.component[axis].data() + std::min(std::max(z + dz, 0), size.z - 1) * view.strideZ();
+      planes[dz + 1][axis] = field.component[axis].data() + std::min(std::max(z + dz, 0), size.z - 1) * view.strideZ();
   const auto none = hn::Zero(di), one = hn::Set(di, 1), strideY = hn::Set(di, size.x);
   const auto lastX = hn::Set(di, size.x - 1), lastY = hn::Set(di, size.y - 1);
-  for (std::size_t i = 0; i < batch.x.size(); i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
     const auto x = hn::LoadU(di, batch.x.data() + i), y = hn::LoadU(di, batch.y.data() + i);
     const auto row = hn::Mul(y, strideY);
     auto bestX = hn::LoadU(d, batch.offset[0].data() + i);
@@ -68,8 +67,9 @@ void takeBatch(const OffsetField& field, glm::vec3 step, int z, unsigned axes, f
       hn::StoreU(best[axis], d, batch.offset[axis].data() + i);
       hn::StoreU(best[axis], d, batch.trial[axis].data() + i);
     }
-    const auto flag = hn::IfThenElseZero(hn::RebindMask(di, taken), one);
-    hn::StoreU(hn::DemoteTo(bytes, flag), bytes, batch.settled.data() + i);
+    const auto state =
+        hn::IfThenElseZero(hn::RebindMask(di, taken), hn::Set(di, static_cast<std::int32_t>(PointState::settled)));
+    hn::StoreU(hn::DemoteTo(bytes, state), bytes, reinterpret_cast<std::uint8_t*>(batch.state.data()) + i);
   }
 }
 

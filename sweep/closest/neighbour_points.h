@@ -14,7 +14,7 @@ namespace isolume {
 inline constexpr unsigned kAlongX = 1, kAlongY = 2, kAlongZ = 4;
 
 /// Replaces batch.offset by the nearest candidate, where its square is less than `share` times that of the offset;
-/// `settled` becomes 1 there and 0 elsewhere. The trial becomes the offset. `step` in smallest spacings.
+/// the state becomes settled there and searching elsewhere. The trial becomes the offset. `step` in smallest spacings.
 void takeFromNeighbours(const OffsetField& field, glm::vec3 step, int z, unsigned axes, float share, PointBatch& batch);
 
 }  // namespace isolume

@@ -1,5 +1,9 @@
 #include "point_kernels.h"
 
+#include <cmath>
+#include <limits>
+#include <utility>
+
 #include "closest_point.h"
 #include "offset_field.h"
 
@@ -8,7 +12,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "point_vector-inl.h"
+#include "point_search-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
@@ -24,7 +28,7 @@ void crossingStarts(const PointFrame& frame, int z, PointBatch& batch) {
   const float* planes[2] = {z > 0 ? plane - strideZ : plane, z + 1 < frame.size.z ? plane + strideZ : plane};
   const auto lastX = hn::Set(di, frame.size.x - 1), lastY = hn::Set(di, frame.size.y - 1);
   const auto strideY = hn::Set(di, frame.size.x), one = hn::Set(di, 1), none = hn::Zero(di);
-  for (std::size_t i = 0; i < batch.x.size(); i += lanes) {
+  for (std::size_t i = 0; i < batch.padded(); i += lanes) {
     const auto x = hn::LoadU(di, batch.x.data() + i), y = hn::LoadU(di, batch.y.data() + i);
     const auto row = hn::Mul(y, strideY);
     const auto at = hn::Add(row, x);
@@ -69,19 +73,40 @@ void crossingStarts(const PointFrame& frame, int z, PointBatch& batch) {
   }
 }
 
-void refineBatch(const PointFrame& frame, int z, int steps, PointBatch& batch) {
+void searchBatch(const PointFrame& frame, int z, int looks, PointBatch& batch) {
   const FloatTag d;
   const IntTag di;
-  const auto lanes = hn::Lanes(d);
-  const VectorLevel level(frame, z);
   const hn::Rebind<std::uint8_t, FloatTag> bytes;
-  for (std::size_t i = 0; i < batch.x.size(); i += lanes) {
-    Vec3 best = loadBatch(batch.offset, i);
-    const auto settled = closestPoints(level, hn::LoadU(di, batch.x.data() + i), hn::LoadU(di, batch.y.data() + i),
-                                       loadBatch(batch.trial, i), steps, best);
-    storeBatch(best, batch.offset, i);
-    const auto flag = hn::IfThenElseZero(hn::RebindMask(di, settled), hn::Set(di, 1));
-    hn::StoreU(hn::DemoteTo(bytes, flag), bytes, batch.settled.data() + i);
+  const VectorLevel level(frame, z);
+  const auto stateOf = [&](PointState state) { return hn::Set(di, static_cast<std::int32_t>(state)); };
+  for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
+    const VectorSamples samples(level, hn::LoadU(di, batch.x.data() + i), hn::LoadU(di, batch.y.data() + i));
+    const auto none = hn::Lt(hn::Zero(d), hn::Zero(d));
+    Search search = {loadBatch(batch.offset, i),
+                     loadBatch(batch.trial, i),
+                     loadBatch(batch.retreat, i),
+                     hn::LoadU(d, batch.nearest.data() + i),
+                     hn::LoadU(d, batch.promised.data() + i),
+                     hn::LoadU(d, batch.share.data() + i),
+                     hn::LoadU(d, batch.tries.data() + i),
+                     none,
+                     none,
+                     none};
+    for (int look = 0; look < looks; ++look) {
+      lookOnce(level, samples, search);
+      if (hn::AllTrue(d, hn::Or(search.settled, hn::Or(search.stuck, search.failed)))) break;
+    }
+    storeBatch(search.best, batch.offset, i);
+    storeBatch(search.trial, batch.trial, i);
+    storeBatch(search.retreat, batch.retreat, i);
+    hn::StoreU(search.nearest, d, batch.nearest.data() + i);
+    hn::StoreU(search.promised, d, batch.promised.data() + i);
+    hn::StoreU(search.share, d, batch.share.data() + i);
+    hn::StoreU(search.tries, d, batch.tries.data() + i);
+    auto state = hn::IfThenElseZero(hn::RebindMask(di, search.settled), stateOf(PointState::settled));
+    state = hn::IfThenElse(hn::RebindMask(di, search.stuck), stateOf(PointState::stuck), state);
+    state = hn::IfThenElse(hn::RebindMask(di, search.failed), stateOf(PointState::failed), state);
+    hn::StoreU(hn::DemoteTo(bytes, state), bytes, reinterpret_cast<std::uint8_t*>(batch.state.data()) + i);
   }
 }
 
@@ -93,13 +118,14 @@ namespace isolume {
 
 namespace {
 
-constexpr int kFirstSteps = 4;  // evaluations; most samples need two or three
-constexpr int kMoreSteps = 16;
+// Looks between which the searches that go on are put side by side again, so that they hold up no others: most need two
+// or three.
+constexpr int kLooks[] = {3, 3, 10, 16};
 
 }  // namespace
 
 HWY_EXPORT(crossingStarts);
-HWY_EXPORT(refineBatch);
+HWY_EXPORT(searchBatch);
 
 PointFrame::PointFrame(GridView<const float> view) : level(view.data), size(view.size) {
   const LevelInterpolant interpolant(view, smallestSpacing(view.spacing));
@@ -115,27 +141,46 @@ bool PointFrame::fits() const {
 void startAtCrossings(const PointFrame& frame, int z, PointBatch& batch) {
   HWY_DYNAMIC_DISPATCH(crossingStarts)(frame, z, batch);
 }
-void refinePoints(const PointFrame& frame, int z, PointBatch& batch) {
-  HWY_DYNAMIC_DISPATCH(refineBatch)(frame, z, kFirstSteps, batch);
-  // Few lanes need more steps: side by side, so that they hold up no others.
-  static thread_local std::vector<std::size_t> slow;
-  static thread_local PointBatch rest;
-  slow.clear();
+
+void searchPoints(const PointFrame& frame, int z, PointBatch& batch) {
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    for (PointBatch::Floats& values : batch.retreat) values[i] = 0;
+    // The first point that counts may be as far off as the surface is thick.
+    const float reached = std::sqrt(squaredLength(batch.point(i))) + static_cast<float>(2 * kOnSurface);
+    batch.nearest[i] = reached * reached;
+    batch.promised[i] = kNothingPromised;
+    batch.share[i] = 1;
+    batch.tries[i] = 0;
+  }
+  // Which sample of `batch` sample i of the part that is still searching is.
+  static thread_local std::vector<std::size_t> origin;
+  static thread_local PointBatch part, next;
+  origin.clear();
+  PointBatch* now = &batch;
+  for (const int looks : kLooks) {
+    now->pad();
+    HWY_DYNAMIC_DISPATCH(searchBatch)(frame, z, looks, *now);
+    std::size_t left = 0;
+    next.resize(now->count);
+    for (std::size_t i = 0; i < now->count; ++i) {
+      const std::size_t at = now == &batch ? i : origin[i];
+      if (now != &batch) batch.copy(at, *now, i);
+      if (now->state[i] != PointState::searching) continue;
+      next.copy(left, *now, i);
+      if (left < origin.size()) {
+        origin[left] = at;
+      } else {
+        origin.push_back(at);
+      }
+      ++left;
+    }
+    if (left == 0) return;
+    next.resize(left);
+    std::swap(part, next);
+    now = &part;
+  }
   for (std::size_t i = 0; i < batch.count; ++i)
-    if (batch.settled[i] == 0) slow.push_back(i);
-  if (slow.empty()) return;
-  rest.resize(slow.size());
-  for (std::size_t i = 0; i < slow.size(); ++i) {
-    rest.x[i] = batch.x[slow[i]];
-    rest.y[i] = batch.y[slow[i]];
-    rest.set(i, batch.point(slow[i]), batch.point(slow[i]));
-  }
-  rest.pad();
-  HWY_DYNAMIC_DISPATCH(refineBatch)(frame, z, kMoreSteps, rest);
-  for (std::size_t i = 0; i < slow.size(); ++i) {
-    batch.settled[slow[i]] = rest.settled[i];
-    for (int axis = 0; axis < 3; ++axis) batch.offset[axis][slow[i]] = rest.offset[axis][i];
-  }
+    if (batch.state[i] == PointState::searching) batch.state[i] = PointState::stuck;
 }
 
 }  // namespace isolume

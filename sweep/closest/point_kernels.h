@@ -33,11 +33,14 @@ struct PointFrame {
 /// How many samples a point may be from its sample along each axis.
 inline constexpr int kPointReach = 24;
 
+/// PointBatch::promised before the interpolant has confirmed a point.
+inline constexpr float kNothingPromised = 0x1p60F;
+
 /// Offsets and trials of samples of plane z from the crossings of their own edges: the offset is the nearest crossing,
 /// the trial the foot on the plane through the nearest crossing of each axis. Every sample must have a crossed edge.
 void startAtCrossings(const PointFrame& frame, int z, PointBatch& batch);
 
-/// Moves the offsets of samples of plane z to closest points, starting at the trials.
-void refinePoints(const PointFrame& frame, int z, PointBatch& batch);
+/// Moves the offsets of samples of plane z to closest points, starting at the trials, and says how each search ended.
+void searchPoints(const PointFrame& frame, int z, PointBatch& batch);
 
 }  // namespace isolume
