@@ -97,43 +97,44 @@ void BandSolver::seed(const BitGrid& inside) {
   });
 }
 
-// Along x, then y, then z, so that every new sample has a neighbour across a face to start from. The first two stay
-// within a plane; the third reads the planes beside it, and writes when all have read.
-template <class TargetRow>
-void BandSolver::growWithin(const TargetRow& targetRow) {
-  const auto words = static_cast<std::size_t>(set_.words());
-  const auto missing = [&](int y, int z, const BitRow& target, BitRow& row) {
-    for (std::size_t w = 0; w < words; ++w) row[w] &= target[w] & ~set_.row(y, z)[w];
-  };
-  const auto addRow = [&](int y, int z, BitRow& row) {
-    if (y < 0 || z < 0 || y >= level_.size.y || z >= level_.size.z) return;
-    for (std::size_t w = 0; w < words; ++w) row[w] |= set_.row(y, z)[w];
-  };
-  const auto takeAll = [&](int z, const std::vector<glm::ivec2>& samples, unsigned axes, PointBatch& batch) {
-    fill(samples, batch);
-    for (std::size_t i = 0; i < batch.count; ++i) batch.set(i, {kUnsetOffset, 0, 0});
-    batch.pad();
-    takeFromNeighbours(field_, frame_.step, z, axes, 1, batch);
-  };
+// The nearest points of neighbours along those axes, as starts.
+void BandSolver::takeAll(int z, const std::vector<glm::ivec2>& samples, unsigned axes, PointBatch& batch) const {
+  fill(samples, batch);
+  for (std::size_t i = 0; i < batch.count; ++i) batch.set(i, {kUnsetOffset, 0, 0});
+  batch.pad();
+  takeFromNeighbours(field_, frame_.step, z, axes, 1, batch);
+}
 
+// row |= row (y, z) of the set; nothing beyond the grid.
+void BandSolver::orRow(int y, int z, BitRow& row) const {
+  if (y < 0 || z < 0 || y >= level_.size.y || z >= level_.size.z) return;
+  const std::uint64_t* from = set_.row(y, z);
+  for (std::size_t w = 0; w < row.size(); ++w) row[w] |= from[w];
+}
+
+// Along x, then y, then z, so that every new sample has a neighbour across a face to start from. The first two stay
+// within a plane; the third reads the planes beside it, and writes when all have read. missing(y, z, row) takes from a
+// row of candidates those that are not wanted or in the set.
+template <class Missing>
+void BandSolver::growWithin(const Missing& missing) {
+  const auto words = static_cast<std::size_t>(set_.words());
   parallelFor(found_.size(), [&](std::size_t plane) {
     const int z = static_cast<int>(plane);
     PointBatch& batch = threadBatch();
-    BitRow row(words), target(words);
+    BitRow row(words);
     std::vector<glm::ivec2> all, samples;
     for (const unsigned axis : {kAlongX, kAlongY}) {
       samples.clear();
       for (int y = 0; y < level_.size.y; ++y) {
-        targetRow(y, z, target);
         std::fill(row.begin(), row.end(), std::uint64_t{0});
         if (axis == kAlongX) {
-          addRow(y, z, row);
+          orRow(y, z, row);
           spreadAlongX(row.data(), set_.words());
         } else {
-          addRow(y - 1, z, row);
-          addRow(y + 1, z, row);
+          orRow(y - 1, z, row);
+          orRow(y + 1, z, row);
         }
-        missing(y, z, target, row);
+        missing(y, z, row);
         appendRow(row, y, samples);
       }
       if (samples.empty()) continue;
@@ -149,19 +150,62 @@ void BandSolver::growWithin(const TargetRow& targetRow) {
   });
   parallelFor(found_.size(), [&](std::size_t plane) {
     const int z = static_cast<int>(plane);
-    BitRow row(words), target(words);
+    BitRow row(words);
     std::vector<glm::ivec2> samples;
     for (int y = 0; y < level_.size.y; ++y) {
-      targetRow(y, z, target);
       std::fill(row.begin(), row.end(), std::uint64_t{0});
-      addRow(y, z - 1, row);
-      addRow(y, z + 1, row);
-      missing(y, z, target, row);
+      orRow(y, z - 1, row);
+      orRow(y, z + 1, row);
+      missing(y, z, row);
       appendRow(row, y, samples);
     }
     if (samples.empty()) return;
     PointBatch& batch = threadBatch();
     takeAll(z, samples, kAlongZ, batch);
+    search(z, false, batch);
+    keep(plane, batch);
+  });
+  placeFound();
+}
+
+void BandSolver::growToCorners(const BitGrid& inside) {
+  growWithin([&](int y, int z, BitRow& row) {
+    std::uint64_t any = 0;
+    for (std::size_t w = 0; w < row.size(); ++w) any |= row[w] &= ~set_.row(y, z)[w];
+    if (any == 0) return;
+    BitRow corners(row.size());
+    cornerRow(inside, y, z, corners);
+    for (std::size_t w = 0; w < row.size(); ++w) row[w] &= corners[w];
+  });
+}
+
+void BandSolver::grow() {
+  growWithin([&](int y, int z, BitRow& row) {
+    for (std::size_t w = 0; w < row.size(); ++w) row[w] &= ~set_.row(y, z)[w];
+    row.back() &= set_.lastWordMask();
+  });
+}
+
+void BandSolver::growAcrossFaces() {
+  parallelFor(found_.size(), [&](std::size_t plane) {
+    const int z = static_cast<int>(plane);
+    BitRow row(static_cast<std::size_t>(set_.words()));
+    std::vector<glm::ivec2> samples;
+    for (int y = 0; y < level_.size.y; ++y) {
+      std::fill(row.begin(), row.end(), std::uint64_t{0});
+      orRow(y, z, row);
+      spreadAlongX(row.data(), set_.words());
+      orRow(y - 1, z, row);
+      orRow(y + 1, z, row);
+      orRow(y, z - 1, row);
+      orRow(y, z + 1, row);
+      for (std::size_t w = 0; w < row.size(); ++w) row[w] &= ~set_.row(y, z)[w];
+      row.back() &= set_.lastWordMask();
+      appendRow(row, y, samples);
+    }
+    if (samples.empty()) return;
+    PointBatch& batch = threadBatch();
+    takeAll(z, samples, kAlongX | kAlongY | kAlongZ, batch);
     search(z, false, batch);
     keep(plane, batch);
   });
@@ -181,17 +225,6 @@ void BandSolver::placeFound() {
       set_.mark(point.at.x, point.at.y, z);
     }
     found_[plane].clear();
-  });
-}
-
-void BandSolver::growToCorners(const BitGrid& inside) {
-  growWithin([&](int y, int z, BitRow& row) { cornerRow(inside, y, z, row); });
-}
-
-void BandSolver::grow() {
-  growWithin([&](int, int, BitRow& row) {
-    std::fill(row.begin(), row.end(), ~std::uint64_t{0});
-    row.back() = set_.lastWordMask();
   });
 }
 

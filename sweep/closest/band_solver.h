@@ -19,8 +19,9 @@ class BandSolver {
   void seed(const BitGrid& inside);
   /// The samples that seeds share a cell with: all corners of cells that hold surface.
   void growToCorners(const BitGrid& inside);
-  /// One layer: the 26 neighbours of the set.
+  /// One layer: the 26 neighbours of the set, or the 6 across faces.
   void grow();
+  void growAcrossFaces();
   /// Samples of the set take over neighbours' points that are nearer, and go on from there, until that changes nothing
   /// or `rounds` times.
   void relax(int rounds);
@@ -31,8 +32,10 @@ class BandSolver {
     glm::vec3 offset{0};
   };
 
-  template <class TargetRow>
-  void growWithin(const TargetRow& targetRow);
+  template <class Missing>
+  void growWithin(const Missing& missing);
+  void takeAll(int z, const std::vector<glm::ivec2>& samples, unsigned axes, PointBatch& batch) const;
+  void orRow(int y, int z, BitRow& row) const;
   void search(int z, bool isSeed, PointBatch& batch) const;
   void write(int z, const PointBatch& batch);
   void keep(std::size_t plane, const PointBatch& batch);

@@ -73,7 +73,41 @@ void crossingStarts(const PointFrame& frame, int z, PointBatch& batch) {
   }
 }
 
-void searchBatch(const PointFrame& frame, int z, int looks, PointBatch& batch) {
+// Searches that have not begun: the first point that counts may be as far off as the surface is thick.
+HWY_INLINE Search begin(const PointBatch& batch, std::size_t i) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d);
+  const auto none = hn::Lt(zero, zero);
+  const Vec3 best = loadBatch(batch.offset, i);
+  const auto reached = hn::Add(hn::Sqrt(dot(best, best)), hn::Set(d, static_cast<float>(2 * kOnSurface)));
+  return {best,
+          loadBatch(batch.trial, i),
+          {zero, zero, zero},
+          hn::Mul(reached, reached),
+          hn::Set(d, kNothingPromised),
+          hn::Set(d, 1.0F),
+          zero,
+          none,
+          none,
+          none};
+}
+
+HWY_INLINE Search resume(const PointBatch& batch, std::size_t i) {
+  const FloatTag d;
+  const auto none = hn::Lt(hn::Zero(d), hn::Zero(d));
+  return {loadBatch(batch.offset, i),
+          loadBatch(batch.trial, i),
+          loadBatch(batch.retreat, i),
+          hn::LoadU(d, batch.nearest.data() + i),
+          hn::LoadU(d, batch.promised.data() + i),
+          hn::LoadU(d, batch.share.data() + i),
+          hn::LoadU(d, batch.tries.data() + i),
+          none,
+          none,
+          none};
+}
+
+void searchBatch(const PointFrame& frame, int z, bool first, int looks, PointBatch& batch) {
   const FloatTag d;
   const IntTag di;
   const hn::Rebind<std::uint8_t, FloatTag> bytes;
@@ -81,32 +115,24 @@ void searchBatch(const PointFrame& frame, int z, int looks, PointBatch& batch) {
   const auto stateOf = [&](PointState state) { return hn::Set(di, static_cast<std::int32_t>(state)); };
   for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
     const VectorSamples samples(level, hn::LoadU(di, batch.x.data() + i), hn::LoadU(di, batch.y.data() + i));
-    const auto none = hn::Lt(hn::Zero(d), hn::Zero(d));
-    Search search = {loadBatch(batch.offset, i),
-                     loadBatch(batch.trial, i),
-                     loadBatch(batch.retreat, i),
-                     hn::LoadU(d, batch.nearest.data() + i),
-                     hn::LoadU(d, batch.promised.data() + i),
-                     hn::LoadU(d, batch.share.data() + i),
-                     hn::LoadU(d, batch.tries.data() + i),
-                     none,
-                     none,
-                     none};
-    for (int look = 0; look < looks; ++look) {
+    Search search = first ? begin(batch, i) : resume(batch, i);
+    bool ended = false;
+    for (int look = 0; look < looks && !ended; ++look) {
       lookOnce(level, samples, search);
-      if (hn::AllTrue(d, hn::Or(search.settled, hn::Or(search.stuck, search.failed)))) break;
+      ended = hn::AllTrue(d, hn::Or(search.settled, hn::Or(search.stuck, search.failed)));
     }
     storeBatch(search.best, batch.offset, i);
+    auto state = hn::IfThenElseZero(hn::RebindMask(di, search.settled), stateOf(PointState::settled));
+    state = hn::IfThenElse(hn::RebindMask(di, search.stuck), stateOf(PointState::stuck), state);
+    state = hn::IfThenElse(hn::RebindMask(di, search.failed), stateOf(PointState::failed), state);
+    hn::StoreU(hn::DemoteTo(bytes, state), bytes, reinterpret_cast<std::uint8_t*>(batch.state.data()) + i);
+    if (ended) continue;
     storeBatch(search.trial, batch.trial, i);
     storeBatch(search.retreat, batch.retreat, i);
     hn::StoreU(search.nearest, d, batch.nearest.data() + i);
     hn::StoreU(search.promised, d, batch.promised.data() + i);
     hn::StoreU(search.share, d, batch.share.data() + i);
     hn::StoreU(search.tries, d, batch.tries.data() + i);
-    auto state = hn::IfThenElseZero(hn::RebindMask(di, search.settled), stateOf(PointState::settled));
-    state = hn::IfThenElse(hn::RebindMask(di, search.stuck), stateOf(PointState::stuck), state);
-    state = hn::IfThenElse(hn::RebindMask(di, search.failed), stateOf(PointState::failed), state);
-    hn::StoreU(hn::DemoteTo(bytes, state), bytes, reinterpret_cast<std::uint8_t*>(batch.state.data()) + i);
   }
 }
 
@@ -143,44 +169,34 @@ void startAtCrossings(const PointFrame& frame, int z, PointBatch& batch) {
 }
 
 void searchPoints(const PointFrame& frame, int z, PointBatch& batch) {
-  for (std::size_t i = 0; i < batch.count; ++i) {
-    for (PointBatch::Floats& values : batch.retreat) values[i] = 0;
-    // The first point that counts may be as far off as the surface is thick.
-    const float reached = std::sqrt(squaredLength(batch.point(i))) + static_cast<float>(2 * kOnSurface);
-    batch.nearest[i] = reached * reached;
-    batch.promised[i] = kNothingPromised;
-    batch.share[i] = 1;
-    batch.tries[i] = 0;
-  }
-  // Which sample of `batch` sample i of the part that is still searching is.
+  // The samples of `batch` that are still searching, and what they were there.
   static thread_local std::vector<std::size_t> origin;
   static thread_local PointBatch part, next;
-  origin.clear();
   PointBatch* now = &batch;
-  for (const int looks : kLooks) {
+  origin.clear();
+  for (std::size_t phase = 0; phase < std::size(kLooks); ++phase) {
     now->pad();
-    HWY_DYNAMIC_DISPATCH(searchBatch)(frame, z, looks, *now);
+    HWY_DYNAMIC_DISPATCH(searchBatch)(frame, z, phase == 0, kLooks[phase], *now);
     std::size_t left = 0;
-    next.resize(now->count);
+    for (std::size_t i = 0; i < now->count; ++i) left += now->state[i] == PointState::searching ? 1 : 0;
+    next.resize(left);
+    if (phase == 0) origin.resize(left);
+    left = 0;
     for (std::size_t i = 0; i < now->count; ++i) {
-      const std::size_t at = now == &batch ? i : origin[i];
-      if (now != &batch) batch.copy(at, *now, i);
+      const std::size_t at = phase == 0 ? i : origin[i];
+      if (phase != 0) {
+        for (std::size_t axis = 0; axis < 3; ++axis) batch.offset[axis][at] = now->offset[axis][i];
+        batch.state[at] = now->state[i];
+      }
       if (now->state[i] != PointState::searching) continue;
       next.copy(left, *now, i);
-      if (left < origin.size()) {
-        origin[left] = at;
-      } else {
-        origin.push_back(at);
-      }
-      ++left;
+      origin[left++] = at;
     }
     if (left == 0) return;
-    next.resize(left);
     std::swap(part, next);
     now = &part;
   }
-  for (std::size_t i = 0; i < batch.count; ++i)
-    if (batch.state[i] == PointState::searching) batch.state[i] = PointState::stuck;
+  for (std::size_t i = 0; i < now->count; ++i) batch.state[origin[i]] = PointState::stuck;
 }
 
 }  // namespace isolume
