@@ -46,6 +46,7 @@ void BandSolver::search(int z, bool isSeed, PointBatch& batch) const {
   if (batch.count == 0) return;
   if (frame_.fits()) {
     searchPoints(frame_, z, batch);
+    if (isSeed) doubtOtherSheets(frame_, z, batch);
   } else {
     std::fill(batch.state.begin(), batch.state.end(), PointState::failed);
   }
@@ -177,6 +178,35 @@ void BandSolver::growToCorners(const BitGrid& inside) {
     cornerRow(inside, y, z, corners);
     for (std::size_t w = 0; w < row.size(); ++w) row[w] &= corners[w];
   });
+}
+
+void BandSolver::reseedCorners(const BitGrid& inside) {
+  parallelFor(found_.size(), [&](std::size_t plane) {
+    const int z = static_cast<int>(plane);
+    BitRow crossed(static_cast<std::size_t>(set_.words())), cap(crossed.size());
+    std::vector<glm::ivec2> samples;
+    for (int y = 0; y < level_.size.y; ++y) {
+      crossedRow(inside, y, z, crossed);
+      capRow(inside, y, z, cap);
+      for (std::size_t w = 0; w < crossed.size(); ++w) crossed[w] = set_.row(y, z)[w] & ~(crossed[w] | cap[w]);
+      appendRow(crossed, y, samples);
+    }
+    if (samples.empty()) return;
+    PointBatch& batch = threadBatch();
+    fill(samples, batch);
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      batch.set(i, field_.at(level_.index(samples[i].x, samples[i].y, z)));
+    batch.pad();
+    doubtNeighbours(field_, frame_.step, z, batch);
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      if (batch.state[i] != PointState::stuck) continue;
+      glm::dvec3 offset(0);
+      if (!seedOffset(interpolant_, {batch.x[i], batch.y[i], z}, offset)) continue;
+      const glm::vec3 point(offset);
+      if (squaredLength(point) < squaredLength(batch.point(i))) found_[plane].push_back({samples[i], point});
+    }
+  });
+  placeFound();
 }
 
 void BandSolver::grow() {

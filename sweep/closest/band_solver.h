@@ -19,6 +19,8 @@ class BandSolver {
   void seed(const BitGrid& inside);
   /// The samples that seeds share a cell with: all corners of cells that hold surface.
   void growToCorners(const BitGrid& inside);
+  /// Corners that found another sheet than one of their neighbours did look at every cell around them.
+  void reseedCorners(const BitGrid& inside);
   /// One layer: the 26 neighbours of the set, or the 6 across faces.
   void grow();
   void growAcrossFaces();

@@ -17,4 +17,8 @@ inline constexpr unsigned kAlongX = 1, kAlongY = 2, kAlongZ = 4;
 /// the state becomes settled there and searching elsewhere. The trial becomes the offset. `step` in smallest spacings.
 void takeFromNeighbours(const OffsetField& field, glm::vec3 step, int z, unsigned axes, float share, PointBatch& batch);
 
+/// State stuck for samples one of whose neighbours' points is not on the sheet of their own: it leaves the plane there,
+/// across the offset, by more than kSameSheet. State searching for all others.
+void doubtNeighbours(const OffsetField& field, glm::vec3 step, int z, PointBatch& batch);
+
 }  // namespace isolume

@@ -17,59 +17,100 @@
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
 
-void crossingStarts(const PointFrame& frame, int z, PointBatch& batch) {
+// Distances from the sample to the crossings of its own edges, along -x, +x, -y, ...; kUnsetOffset where there is none.
+struct OwnCrossings {
+  FloatVec along[3][2];
+};
+
+HWY_INLINE OwnCrossings ownCrossings(const PointFrame& frame, int z, IntVec x, IntVec y) {
   const FloatTag d;
   const IntTag di;
   const auto zero = hn::Zero(d);
-  const auto lanes = hn::Lanes(d);
   const std::ptrdiff_t strideZ = static_cast<std::ptrdiff_t>(frame.size.x) * frame.size.y;
   const float* plane = frame.level + z * strideZ;
   // Missing neighbours are the sample itself, which it never crosses.
   const float* planes[2] = {z > 0 ? plane - strideZ : plane, z + 1 < frame.size.z ? plane + strideZ : plane};
   const auto lastX = hn::Set(di, frame.size.x - 1), lastY = hn::Set(di, frame.size.y - 1);
   const auto strideY = hn::Set(di, frame.size.x), one = hn::Set(di, 1), none = hn::Zero(di);
-  for (std::size_t i = 0; i < batch.padded(); i += lanes) {
-    const auto x = hn::LoadU(di, batch.x.data() + i), y = hn::LoadU(di, batch.y.data() + i);
-    const auto row = hn::Mul(y, strideY);
-    const auto at = hn::Add(row, x);
-    const auto here = hn::GatherIndex(d, plane, at);
-    const auto inside = hn::Gt(here, zero);
-    const FloatVec there[3][2] = {
-        {hn::GatherIndex(d, plane, hn::Add(row, hn::Max(hn::Sub(x, one), none))),
-         hn::GatherIndex(d, plane, hn::Add(row, hn::Min(hn::Add(x, one), lastX)))},
-        {hn::GatherIndex(d, plane, hn::Add(hn::Mul(hn::Max(hn::Sub(y, one), none), strideY), x)),
-         hn::GatherIndex(d, plane, hn::Add(hn::Mul(hn::Min(hn::Add(y, one), lastY), strideY), x))},
-        {hn::GatherIndex(d, planes[0], at), hn::GatherIndex(d, planes[1], at)}};
-    // Along each axis the nearer crossing, signed, or a length that no crossing has.
-    FloatVec crossing[3];
-    auto nearest = hn::Set(d, kUnsetOffset);
-    for (int axis = 0; axis < 3; ++axis) {
-      crossing[axis] = hn::Set(d, kUnsetOffset);
-      for (int side = 0; side < 2; ++side) {
-        const FloatVec other = there[axis][side];
-        const auto crossed = hn::Xor(hn::VecFromMask(d, inside), hn::VecFromMask(d, hn::Gt(other, zero)));
-        const auto along = hn::Mul(hn::Div(here, hn::Sub(here, other)), hn::Set(d, frame.step[axis]));
-        const auto nearer = hn::And(hn::MaskFromVec(crossed), hn::Lt(along, hn::Abs(crossing[axis])));
-        crossing[axis] = hn::IfThenElse(nearer, side == 0 ? hn::Neg(along) : along, crossing[axis]);
-      }
-      nearest = hn::Min(nearest, hn::Abs(crossing[axis]));
+  const auto row = hn::Mul(y, strideY);
+  const auto at = hn::Add(row, x);
+  const auto here = hn::GatherIndex(d, plane, at);
+  const auto inside = hn::VecFromMask(d, hn::Gt(here, zero));
+  const FloatVec there[3][2] = {
+      {hn::GatherIndex(d, plane, hn::Add(row, hn::Max(hn::Sub(x, one), none))),
+       hn::GatherIndex(d, plane, hn::Add(row, hn::Min(hn::Add(x, one), lastX)))},
+      {hn::GatherIndex(d, plane, hn::Add(hn::Mul(hn::Max(hn::Sub(y, one), none), strideY), x)),
+       hn::GatherIndex(d, plane, hn::Add(hn::Mul(hn::Min(hn::Add(y, one), lastY), strideY), x))},
+      {hn::GatherIndex(d, planes[0], at), hn::GatherIndex(d, planes[1], at)}};
+  OwnCrossings crossings;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side) {
+      const FloatVec other = there[axis][side];
+      const auto crossed = hn::MaskFromVec(hn::Xor(inside, hn::VecFromMask(d, hn::Gt(other, zero))));
+      const auto along = hn::Mul(hn::Div(here, hn::Sub(here, other)), hn::Set(d, frame.step[axis]));
+      crossings.along[axis][side] = hn::IfThenElse(crossed, along, hn::Set(d, kUnsetOffset));
     }
-    // Foot on the plane through the crossings: n / |n|^2 with n = 1 / crossing, scaled by the nearest one.
-    Vec3 normal, offset;
-    const auto taken0 = hn::Eq(hn::Abs(crossing[0]), nearest);
-    const auto taken1 = hn::AndNot(taken0, hn::Eq(hn::Abs(crossing[1]), nearest));
-    offset.x = hn::IfThenElseZero(taken0, crossing[0]);
-    offset.y = hn::IfThenElseZero(taken1, crossing[1]);
-    offset.z = hn::IfThenElse(hn::Or(taken0, taken1), zero, crossing[2]);
-    normal.x = hn::Div(nearest, crossing[0]);
-    normal.y = hn::Div(nearest, crossing[1]);
-    normal.z = hn::Div(nearest, crossing[2]);
+  return crossings;
+}
+
+void crossingStarts(const PointFrame& frame, int z, PointBatch& batch) {
+  const FloatTag d;
+  const IntTag di;
+  const auto zero = hn::Zero(d);
+  for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
+    const OwnCrossings own =
+        ownCrossings(frame, z, hn::LoadU(di, batch.x.data() + i), hn::LoadU(di, batch.y.data() + i));
+    // Along each axis the nearer one, signed.
+    FloatVec crossing[3], length[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto low = own.along[axis][0], high = own.along[axis][1];
+      length[axis] = hn::Min(low, high);
+      crossing[axis] = hn::IfThenElse(hn::Lt(high, low), high, hn::Neg(low));
+    }
+    const auto nearest = hn::Min(length[0], hn::Min(length[1], length[2]));
+    const auto isX = hn::Eq(length[0], nearest);
+    const auto isY = hn::AndNot(isX, hn::Eq(length[1], nearest));
+    storeBatch({hn::IfThenElseZero(isX, crossing[0]), hn::IfThenElseZero(isY, crossing[1]),
+                hn::IfThenElse(hn::Or(isX, isY), zero, crossing[2])},
+               batch.offset, i);
+    // Foot on the plane through them: n / |n|^2 with n = 1 / crossing, here times the nearest.
+    const Vec3 normal = {hn::Div(nearest, crossing[0]), hn::Div(nearest, crossing[1]), hn::Div(nearest, crossing[2])};
     const Vec3 foot = scaled(normal, hn::Div(nearest, dot(normal, normal)));
     const auto atSample = hn::Eq(nearest, zero);
-    storeBatch(offset, batch.offset, i);
-    storeBatch({hn::IfThenElse(atSample, zero, foot.x), hn::IfThenElse(atSample, zero, foot.y),
-                hn::IfThenElse(atSample, zero, foot.z)},
+    storeBatch({hn::IfThenZeroElse(atSample, foot.x), hn::IfThenZeroElse(atSample, foot.y),
+                hn::IfThenZeroElse(atSample, foot.z)},
                batch.trial, i);
+  }
+}
+
+void sheetsBatch(const PointFrame& frame, int z, PointBatch& batch) {
+  const FloatTag d;
+  const IntTag di;
+  const hn::Rebind<std::uint8_t, FloatTag> bytes;
+  const auto slope = hn::Set(d, static_cast<float>(kSameSheet * kSameSheet));
+  for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
+    const OwnCrossings own =
+        ownCrossings(frame, z, hn::LoadU(di, batch.x.data() + i), hn::LoadU(di, batch.y.data() + i));
+    const Vec3 o = loadBatch(batch.offset, i);
+    const FloatVec component[3] = {o.x, o.y, o.z};
+    const auto length = dot(o, o);
+    auto other = hn::Lt(length, length);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int side = 0; side < 2; ++side) {
+        // The crossing c = (s, 0, 0) and the plane through o across o: ((c - o) . o)^2 > slope^2 |o|^2 |c - o|^2.
+        const auto along = own.along[axis][side];
+        const auto s = side == 0 ? hn::Neg(along) : along;
+        const auto product = hn::Mul(s, component[axis]);
+        const auto out = hn::Sub(product, length);
+        const auto apart = hn::Add(hn::Sub(hn::Mul(s, s), hn::Add(product, product)), length);
+        const auto leaves = hn::Gt(hn::Mul(out, out), hn::Mul(hn::Mul(slope, length), apart));
+        other = hn::Or(other, hn::And(leaves, hn::Lt(along, hn::Set(d, kUnsetOffset))));
+      }
+    auto* states = reinterpret_cast<std::uint8_t*>(batch.state.data()) + i;
+    const auto state = hn::PromoteTo(di, hn::LoadU(bytes, states));
+    const auto stuck = hn::Set(di, static_cast<std::int32_t>(PointState::stuck));
+    hn::StoreU(hn::DemoteTo(bytes, hn::IfThenElse(hn::RebindMask(di, other), hn::Max(stuck, state), state)), bytes,
+               states);
   }
 }
 
@@ -152,6 +193,7 @@ constexpr int kLooks[] = {3, 3, 10, 16};
 
 HWY_EXPORT(crossingStarts);
 HWY_EXPORT(searchBatch);
+HWY_EXPORT(sheetsBatch);
 
 PointFrame::PointFrame(GridView<const float> view) : level(view.data), size(view.size) {
   const LevelInterpolant interpolant(view, smallestSpacing(view.spacing));
@@ -166,6 +208,10 @@ bool PointFrame::fits() const {
 
 void startAtCrossings(const PointFrame& frame, int z, PointBatch& batch) {
   HWY_DYNAMIC_DISPATCH(crossingStarts)(frame, z, batch);
+}
+
+void doubtOtherSheets(const PointFrame& frame, int z, PointBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(sheetsBatch)(frame, z, batch);
 }
 
 void searchPoints(const PointFrame& frame, int z, PointBatch& batch) {

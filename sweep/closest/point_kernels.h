@@ -40,6 +40,10 @@ inline constexpr float kNothingPromised = 0x1p60F;
 /// the trial the foot on the plane through the nearest crossing of each axis. Every sample must have a crossed edge.
 void startAtCrossings(const PointFrame& frame, int z, PointBatch& batch);
 
+/// Makes searches of samples with a crossed edge stuck if one of those crossings is not on the sheet of the point
+/// found: if it leaves the plane there, across the offset, by more than kSameSheet.
+void doubtOtherSheets(const PointFrame& frame, int z, PointBatch& batch);
+
 /// Moves the offsets of samples of plane z to closest points, starting at the trials, and says how each search ended.
 void searchPoints(const PointFrame& frame, int z, PointBatch& batch);
 

@@ -35,6 +35,7 @@ BitGrid solveBand(GridView<const float> level, int layers, OffsetField& field) {
     });
     solver.seed(inside);
     solver.growToCorners(inside);
+    solver.reseedCorners(inside);
   }
   Coverage covered;
   for (int layer = 1; layer <= layers; ++layer) {

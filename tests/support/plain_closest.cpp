@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "sweep/closest/surface_band.h"
 
@@ -15,6 +16,7 @@ struct Passes {
   glm::ivec3 n;
   glm::vec3 h;
   std::vector<glm::vec3> offset;
+  std::vector<std::pair<std::size_t, glm::vec3>> fixed;  // by index
 
   std::size_t index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * n.y + y) * static_cast<std::size_t>(n.x) + x;
@@ -52,18 +54,28 @@ struct Passes {
             if (y + dy >= 0 && y + dy < n.y)
               takeThree(&offset[index(0, y + dy, z - dz)], x, glm::vec3(0, dy, -dz) * h, offset[index(x, y, z)]);
       inPlane(z);
+      for (const auto& [at, point] : fixed)
+        if (at >= index(0, 0, z) && at < index(0, 0, z + 1)) offset[at] = point;
     }
   }
 };
 
 }  // namespace
 
-std::vector<float> plainClosestDistance(GridView<const float> level, int band, int rounds) {
+std::vector<float> plainClosestDistance(GridView<const float> level, int bandVoxels, int rounds) {
   OffsetField field(level);
-  const bool hasSurface = startOffsets(level, band, field) > 0;
+  const BitGrid band = solveBand(level, bandVoxels, field);
   const double unit = smallestSpacing(level.spacing);
-  Passes passes{level.size, glm::vec3(level.spacing / unit), {}};
-  for (std::size_t i = 0; i < level.count(); ++i) passes.offset.push_back(field.at(i));
+  Passes passes{level.size, glm::vec3(level.spacing / unit), {}, {}};
+  for (int z = 0; z < level.size.z; ++z)
+    for (int y = 0; y < level.size.y; ++y)
+      for (int x = 0; x < level.size.x; ++x) {
+        const std::size_t i = level.index(x, y, z);
+        const bool isFixed = band.test(x, y, z);
+        passes.offset.push_back(isFixed ? field.at(i) : glm::vec3(kUnsetOffset, 0, 0));
+        if (isFixed) passes.fixed.emplace_back(i, field.at(i));
+      }
+  const bool hasSurface = !passes.fixed.empty();
   for (int round = 0; hasSurface && round < rounds; ++round) {
     passes.pass(1);
     passes.pass(-1);

@@ -8,8 +8,8 @@
 
 namespace isolume::test {
 
-/// Distance in world units after `rounds` rounds on the library's own start (startOffsets with `band` layers).
-std::vector<float> plainClosestDistance(GridView<const float> level, int band, int rounds = 1);
+/// Distance in world units after `rounds` rounds on the library's own start (solveBand).
+std::vector<float> plainClosestDistance(GridView<const float> level, int bandVoxels, int rounds = 1);
 
 /// Distance from every sample to the nearest of many points of the trilinear surface and the cap: exact crossings of
 /// `perAxis` x `perAxis` lines along each axis of each mixed cell. Never below the true distance of the surface.

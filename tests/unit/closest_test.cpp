@@ -8,7 +8,6 @@
 #include "support/plain_closest.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
-#include "sweep/closest/plane_pass.h"
 #include "sweep/closest/surface_band.h"
 
 namespace isolume {
@@ -112,16 +111,19 @@ TEST(ClosestDistance, IsTheDistanceToPointsOfTheSurface) {
   for (const glm::dvec3 spacing : {glm::dvec3(1), glm::dvec3(1, 1.7, .6)}) {
     const Grid<float> level = noiseLevel({19, 17, 18}, spacing, 5);
     OffsetField field(level.view());
-    ASSERT_GT(startOffsets(level.view(), 2, field), 0U);
-    carryOffsets(field);
+    const BitGrid band = solveBand(level.view(), 2, field);
+    int checked = 0;
     const glm::dvec3 step = spacing / smallestSpacing(spacing);
     for (int z = 0; z < 18; ++z)
       for (int y = 0; y < 17; ++y)
         for (int x = 0; x < 19; ++x) {
+          if (!band.test(x, y, z)) continue;
+          ++checked;
           const glm::dvec3 offset(field.at(level.view().index(x, y, z)));
           ASSERT_TRUE(test::liesOnSurface(level.view(), glm::dvec3(x, y, z) + offset / step, 1e-5))
               << x << " " << y << " " << z;
         }
+    EXPECT_GT(checked, 5000);
   }
 }
 
