@@ -89,8 +89,30 @@ std::vector<float> plainClosestDistance(GridView<const float> level, int bandVox
   return distance;
 }
 
+namespace {
+
+// Corners of a mixed cell whose level is 0, to the solver's tolerance of the largest: the zero set holds them.
+template <class Strew>
+void strewZeroCorners(GridView<const float> level, glm::ivec3 cell, const Strew& strew) {
+  constexpr double kZero = 1e-6;
+  double largest = 0;
+  int inside = 0;
+  const auto corner = [&](int i) { return glm::min(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2), level.size - 1); };
+  for (int i = 0; i < 8; ++i) {
+    const double value = level(corner(i).x, corner(i).y, corner(i).z);
+    largest = std::max(largest, std::abs(value));
+    inside += value > 0 ? 1 : 0;
+  }
+  if (inside == 0 || inside == 8) return;
+  for (int i = 0; i < 8; ++i)
+    if (std::abs(level(corner(i).x, corner(i).y, corner(i).z)) <= kZero * largest) strew(glm::dvec3(corner(i)));
+}
+
+}  // namespace
+
 std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
   const glm::ivec3 n = level.size;
+  const glm::ivec3 cells = glm::max(n - 1, glm::ivec3(1));  // flat ones along an axis of one sample
   std::vector<double> nearest(level.count(), std::numeric_limits<double>::infinity());
   const auto strew = [&](glm::dvec3 p) {
     std::size_t i = 0;
@@ -104,8 +126,10 @@ std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
       for (int x = 0; x < n.x; ++x) {
         const bool border = x == 0 || y == 0 || z == 0 || x == n.x - 1 || y == n.y - 1 || z == n.z - 1;
         if (border && level(x, y, z) > 0) strew(glm::dvec3(x, y, z));
-        if (x == n.x - 1 || y == n.y - 1 || z == n.z - 1) continue;
-        for (int axis = 0; axis < 3; ++axis)
+        if (x >= cells.x || y >= cells.y || z >= cells.z) continue;
+        strewZeroCorners(level, {x, y, z}, strew);
+        for (int axis = 0; axis < 3; ++axis) {
+          if (n[axis] == 1) continue;
           for (int j = 0; j <= perAxis; ++j)
             for (int k = 0; k <= perAxis; ++k) {
               const int b = (axis + 1) % 3, c = (axis + 2) % 3;
@@ -115,8 +139,8 @@ std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
                 for (int corner = 0; corner < 4; ++corner) {
                   glm::ivec3 q(x, y, z);
                   q[axis] += along;
-                  q[b] += corner & 1;
-                  q[c] += corner >> 1;
+                  if (n[b] > 1) q[b] += corner & 1;
+                  if (n[c] > 1) q[c] += corner >> 1;
                   sum += (corner & 1 ? u : 1 - u) * (corner >> 1 ? v : 1 - v) * level(q.x, q.y, q.z);
                 }
                 return sum;
@@ -125,10 +149,11 @@ std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
               if ((low > 0) == (high > 0)) continue;
               glm::dvec3 p(x, y, z);
               p[axis] += low / (low - high);
-              p[b] += u;
-              p[c] += v;
+              if (n[b] > 1) p[b] += u;
+              if (n[c] > 1) p[c] += v;
               strew(p);
             }
+        }
       }
   return nearest;
 }

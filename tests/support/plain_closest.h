@@ -12,7 +12,8 @@ namespace isolume::test {
 std::vector<float> plainClosestDistance(GridView<const float> level, int bandVoxels, int rounds = 1);
 
 /// Distance from every sample to the nearest of many points of the trilinear surface and the cap: exact crossings of
-/// `perAxis` x `perAxis` lines along each axis of each mixed cell. Never below the true distance of the surface.
+/// `perAxis` x `perAxis` lines along each axis of each mixed cell, and its corners of level 0. Never below the true
+/// distance to the zero set.
 std::vector<double> strewnDistance(GridView<const float> level, int perAxis);
 
 /// Is `position` (in samples) a point of the trilinear surface, to `tolerance` of the largest level of its cell, or an
