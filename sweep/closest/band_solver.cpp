@@ -260,10 +260,15 @@ void BandSolver::placeFound() {
 
 void BandSolver::relax(int rounds) {
   BitGrid changed(level_.size);
+  std::vector<char> planeChanged(found_.size(), 1);
   for (int round = 0; round < rounds; ++round) {
     std::atomic<std::size_t> count = 0;
     parallelFor(found_.size(), [&](std::size_t plane) {
       const int z = static_cast<int>(plane);
+      const std::size_t last = std::min(plane + 1, found_.size() - 1);
+      if (std::count(planeChanged.begin() + std::max(z - 1, 0), planeChanged.begin() + static_cast<int>(last) + 1, 1) ==
+          0)
+        return;
       BitRow row(static_cast<std::size_t>(set_.words()));
       std::vector<glm::ivec2> samples;
       for (int y = 0; y < level_.size.y; ++y) {
@@ -294,7 +299,9 @@ void BandSolver::relax(int rounds) {
     if (count == 0) return;
     parallelFor(found_.size(), [&](std::size_t plane) {
       const int z = static_cast<int>(plane);
-      std::fill_n(changed.row(0, z), static_cast<std::ptrdiff_t>(changed.words()) * level_.size.y, std::uint64_t{0});
+      if (planeChanged[plane] != 0)
+        std::fill_n(changed.row(0, z), static_cast<std::ptrdiff_t>(changed.words()) * level_.size.y, std::uint64_t{0});
+      planeChanged[plane] = found_[plane].empty() ? 0 : 1;
       for (const NewPoint& point : found_[plane]) changed.mark(point.at.x, point.at.y, z);
     });
     placeFound();

@@ -110,7 +110,7 @@ void strewZeroCorners(GridView<const float> level, glm::ivec3 cell, const Strew&
 
 }  // namespace
 
-std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
+std::vector<double> strewnDistance(GridView<const float> level, int perAxis, bool zeroCorners) {
   const glm::ivec3 n = level.size;
   const glm::ivec3 cells = glm::max(n - 1, glm::ivec3(1));  // flat ones along an axis of one sample
   std::vector<double> nearest(level.count(), std::numeric_limits<double>::infinity());
@@ -127,7 +127,7 @@ std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
         const bool border = x == 0 || y == 0 || z == 0 || x == n.x - 1 || y == n.y - 1 || z == n.z - 1;
         if (border && level(x, y, z) > 0) strew(glm::dvec3(x, y, z));
         if (x >= cells.x || y >= cells.y || z >= cells.z) continue;
-        strewZeroCorners(level, {x, y, z}, strew);
+        if (zeroCorners) strewZeroCorners(level, {x, y, z}, strew);
         for (int axis = 0; axis < 3; ++axis) {
           if (n[axis] == 1) continue;
           for (int j = 0; j <= perAxis; ++j)

@@ -42,8 +42,7 @@ TEST(ClosestExtent, TheBandIsTheFullSolutionCutAtItsLimit) {
         const glm::ivec3 size(41, 38, 36);
         const Grid<float> level = ball ? cutBall(size, spacing) : specks(size, spacing);
         const Grid<float> full = closestDistance(level.view(), {.bandVoxels = k});
-        const Grid<float> band =
-            closestDistance(level.view(), {.extent = DistanceExtent::band, .bandVoxels = k});
+        const Grid<float> band = closestDistance(level.view(), {.extent = DistanceExtent::band, .bandVoxels = k});
         const auto limit = static_cast<float>((k + 1) * std::min({spacing.x, spacing.y, spacing.z}));
         std::size_t near = 0, far = 0;
         for (std::size_t i = 0; i < level.count(); ++i) {
@@ -72,8 +71,7 @@ TEST(ClosestExtent, BeyondTheBandTheLimitIsNotAboveTheTrueDistance) {
       const std::vector<double> truth = test::strewnDistance(level.view(), 3);
       for (const int k : {1, 3}) {
         const double limit = (k + 1) * std::min({spacing.x, spacing.y, spacing.z});
-        const Grid<float> band =
-            closestDistance(level.view(), {.extent = DistanceExtent::band, .bandVoxels = k});
+        const Grid<float> band = closestDistance(level.view(), {.extent = DistanceExtent::band, .bandVoxels = k});
         OffsetField field(level.view());
         const BitGrid solved = solveBand(level.view(), k, field);
         std::size_t beyond = 0;

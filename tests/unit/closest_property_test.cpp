@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <vector>
@@ -19,21 +20,30 @@ class Draw {
  public:
   explicit Draw(std::uint64_t seed) : state_(seed) {}
   std::uint64_t below(std::uint64_t bound) { return mixBits(state_ += kSplitMixIncrement) % bound; }
-  float value() { return static_cast<float>(static_cast<double>(mixBits(state_ += kSplitMixIncrement) >> 40) / (1 << 23) - 1); }
+  float value() {
+    return static_cast<float>(static_cast<double>(mixBits(state_ += kSplitMixIncrement) >> 40) / (1 << 23) - 1);
+  }
 
  private:
   std::uint64_t state_;
 };
 
-enum class Kind { noise, plateaus, extremes, sheet, count };
+enum class Kind { noise, sheet, plateaus, extremes };
 
 glm::ivec3 drawSize(Draw& draw) {
   glm::ivec3 size(1);
   switch (draw.below(8)) {
-    case 0: size[static_cast<int>(draw.below(3))] = 1 + static_cast<int>(draw.below(8)); break;  // 1 x 1 x N
-    case 1: size = glm::ivec3(2); break;
-    case 2: size = glm::ivec3(8, 7, 8); break;
-    default: size = glm::ivec3(1 + draw.below(5), 1 + draw.below(5), 1 + draw.below(5));
+    case 0:
+      size[static_cast<int>(draw.below(3))] = 1 + static_cast<int>(draw.below(8));
+      break;  // 1 x 1 x N
+    case 1:
+      size = glm::ivec3(2);
+      break;
+    case 2:
+      size = glm::ivec3(8, 7, 8);
+      break;
+    default:
+      size = glm::ivec3(1 + draw.below(5), 1 + draw.below(5), 1 + draw.below(5));
   }
   return size;
 }
@@ -49,10 +59,17 @@ Grid<float> drawLevel(Draw& draw, Kind kind) {
       for (int x = 0; x < size.x; ++x) {
         float& value = level.view()(x, y, z);
         switch (kind) {
-          case Kind::plateaus: value = static_cast<float>(draw.below(3)) - 1; break;
-          case Kind::extremes: value = kExtremes[draw.below(std::size(kExtremes))]; break;
-          case Kind::sheet: value = (z == sheet ? .2F : -1.0F) + .1F * draw.value(); break;
-          default: value = draw.value();
+          case Kind::plateaus:
+            value = static_cast<float>(draw.below(3)) - 1;
+            break;
+          case Kind::extremes:
+            value = kExtremes[draw.below(std::size(kExtremes))];
+            break;
+          case Kind::sheet:
+            value = (z == sheet ? .2F : -1.0F) + .1F * draw.value();
+            break;
+          default:
+            value = draw.value();
         }
       }
   return level;
@@ -60,14 +77,15 @@ Grid<float> drawLevel(Draw& draw, Kind kind) {
 
 struct Tally {
   std::size_t grids = 0, samples = 0, above = 0;
-  double worst = 0;      // above the strewn points, in diagonals of a cell
-  double steepest = 0;   // above a neighbour plus the spacing, relative
+  double worst = 0;     // above the strewn points, in diagonals of a cell
+  double steepest = 0;  // above a neighbour plus the spacing, relative
 };
 
 void check(GridView<const float> level, Tally& tally) {
   constexpr int kLines = 4;
   const Grid<float> distance = closestDistance(level);
   const std::vector<double> strewn = test::strewnDistance(level, kLines);
+  const std::vector<double> withZeros = test::strewnDistance(level, kLines, true);
   const glm::dvec3 extent = level.spacing * glm::dvec3(glm::min(level.size - 1, glm::ivec3(1)));
   const double diagonal = std::max(glm::length(extent), 1e-12);
   ++tally.grids;
@@ -81,7 +99,7 @@ void check(GridView<const float> level, Tally& tally) {
         if (std::isinf(here)) continue;
         // A piece of surface in a box of the lines crosses one of its edges, so a strewn point is a diagonal away at
         // most.
-        ASSERT_GE(here, strewn[i] - diagonal / kLines - 1e-5 * (1 + here));
+        ASSERT_GE(here, withZeros[i] - diagonal / kLines - 1e-5 * (1 + here));
         ++tally.samples;
         const double above = (here - strewn[i]) / diagonal;
         tally.above += above > .05 ? 1 : 0;
@@ -97,25 +115,45 @@ void check(GridView<const float> level, Tally& tally) {
       }
 }
 
-TEST(ClosestProperties, OfTenThousandRandomGrids) {
-  // Sign of the data; infinite only where nothing is inside; never below the strewn points by more than their gap;
-  // above them by a twentieth of a cell's diagonal at one sample in fifty, and by half a diagonal nowhere; no distance
-  // more than a neighbour's plus the spacing, to a thousandth.
+// 2500 grids of one kind. `worst` in diagonals of a cell.
+void checkKind(Kind kind, double worst) {
   Tally tally;
-  Draw draw(2024);
-  while (tally.grids < 10000 && !HasFatalFailure()) {
-    const auto kind = static_cast<Kind>(tally.grids % static_cast<std::size_t>(Kind::count));
+  Draw draw(static_cast<std::uint64_t>(kind) + 1);
+  while (tally.grids < 2500 && !testing::Test::HasFatalFailure()) {
     const Grid<float> level = drawLevel(draw, kind);
     SCOPED_TRACE(testing::Message() << "grid " << tally.grids << " of " << level.size().x << "x" << level.size().y
                                     << "x" << level.size().z << ", spacing z " << level.view().spacing.z);
     check(level.view(), tally);
   }
-  EXPECT_GT(tally.samples, 300000U);
+  EXPECT_GT(tally.samples, 100000U);
   EXPECT_LT(tally.above * 50, tally.samples);
-  EXPECT_LT(tally.worst, .5);
+  EXPECT_LT(tally.worst, worst);
   EXPECT_LT(tally.steepest, 1e-3);
-  RecordProperty("worst", std::to_string(tally.worst));
-  printf("samples %zu above %zu worst %f steepest %g\n", tally.samples, tally.above, tally.worst, tally.steepest);
+}
+
+// What all four claim: sign of the data; infinite only where nothing is inside; never below points strewn over the
+// surface by more than their gap; above them by a twentieth of a cell's diagonal at one sample in fifty and by `worst`
+// nowhere; no distance more than a neighbour's plus the spacing, to a thousandth.
+
+TEST(ClosestProperties, OfNoise) {
+  // The properties hold on noise; a nearer sheet that no start led to costs less than half a diagonal.
+  checkKind(Kind::noise, .5);
+}
+
+TEST(ClosestProperties, OfSheetsThinnerThanAVoxel) {
+  // The properties hold on single planes of samples inside, at any place in the grid.
+  checkKind(Kind::sheet, .5);
+}
+
+TEST(ClosestProperties, OfPlateaus) {
+  // The properties hold on levels of -1, 0 and 1. Where the surface ends in a corner of level 0, the nearest crossed
+  // edge may stand for it, which ends three quarters of a diagonal further at most.
+  checkKind(Kind::plateaus, .75);
+}
+
+TEST(ClosestProperties, OfExtremes) {
+  // The properties hold on levels of 1e-30 beside 1e30, and of 0: what is 0 beside the largest ends as on plateaus.
+  checkKind(Kind::extremes, .75);
 }
 
 }  // namespace
