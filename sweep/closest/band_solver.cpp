@@ -1,5 +1,6 @@
 #include "band_solver.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "closest_point.h"
@@ -29,6 +30,7 @@ void fill(const std::vector<glm::ivec2>& samples, PointBatch& batch) {
     batch.x[i] = samples[i].x;
     batch.y[i] = samples[i].y;
   }
+  batch.padPlaces();
 }
 
 }  // namespace
@@ -64,14 +66,6 @@ void BandSolver::search(int z, bool isSeed, PointBatch& batch) const {
   }
 }
 
-void BandSolver::write(int z, const PointBatch& batch) {
-  const std::size_t first = planeIndex(z);
-  for (std::size_t i = 0; i < batch.count; ++i) {
-    field_.set(first + static_cast<std::size_t>(batch.y[i] * level_.strideY() + batch.x[i]), batch.point(i));
-    set_.mark(batch.x[i], batch.y[i], z);
-  }
-}
-
 void BandSolver::seed(const BitGrid& inside) {
   parallelFor(found_.size(), [&](std::size_t plane) {
     const int z = static_cast<int>(plane);
@@ -91,78 +85,55 @@ void BandSolver::seed(const BitGrid& inside) {
     if (samples.empty()) return;
     PointBatch& batch = threadBatch();
     fill(samples, batch);
-    batch.pad();
     if (frame_.fits()) startAtCrossings(frame_, z, batch);
     search(z, true, batch);
-    write(z, batch);
+    const std::size_t first = planeIndex(z);
+    for (std::size_t i = 0; i < batch.count; ++i)
+      field_.set(first + static_cast<std::size_t>(batch.y[i] * level_.strideY() + batch.x[i]), batch.point(i));
   });
 }
 
-// The nearest points of neighbours along those axes, as starts.
-void BandSolver::takeAll(int z, const std::vector<glm::ivec2>& samples, unsigned axes, PointBatch& batch) const {
+// Points for samples that have none, from the neighbours that have: across faces, else edges, else corners.
+void BandSolver::start(int z, const std::vector<glm::ivec2>& samples, PointBatch& batch) const {
+  static thread_local std::vector<std::size_t> origin;
+  static thread_local PointBatch part;
   fill(samples, batch);
-  for (std::size_t i = 0; i < batch.count; ++i) batch.set(i, {kUnsetOffset, 0, 0});
-  batch.pad();
-  takeFromNeighbours(field_, frame_.step, z, axes, 1, batch);
-}
-
-// row |= row (y, z) of the set; nothing beyond the grid.
-void BandSolver::orRow(int y, int z, BitRow& row) const {
-  if (y < 0 || z < 0 || y >= level_.size.y || z >= level_.size.z) return;
-  const std::uint64_t* from = set_.row(y, z);
-  for (std::size_t w = 0; w < row.size(); ++w) row[w] |= from[w];
-}
-
-// Along x, then y, then z, so that every new sample has a neighbour across a face to start from. The first two stay
-// within a plane; the third reads the planes beside it, and writes when all have read. missing(y, z, row) takes from a
-// row of candidates those that are not wanted or in the set.
-template <class Missing>
-void BandSolver::growWithin(const Missing& missing) {
-  const auto words = static_cast<std::size_t>(set_.words());
-  parallelFor(found_.size(), [&](std::size_t plane) {
-    const int z = static_cast<int>(plane);
-    PointBatch& batch = threadBatch();
-    BitRow row(words);
-    std::vector<glm::ivec2> all, samples;
-    for (const unsigned axis : {kAlongX, kAlongY}) {
-      samples.clear();
-      for (int y = 0; y < level_.size.y; ++y) {
-        std::fill(row.begin(), row.end(), std::uint64_t{0});
-        if (axis == kAlongX) {
-          orRow(y, z, row);
-          spreadAlongX(row.data(), set_.words());
-        } else {
-          orRow(y - 1, z, row);
-          orRow(y + 1, z, row);
-        }
-        missing(y, z, row);
-        appendRow(row, y, samples);
-      }
-      if (samples.empty()) continue;
-      takeAll(z, samples, axis == kAlongX ? kAlongX : kAlongX | kAlongY, batch);
-      write(z, batch);
-      all.insert(all.end(), samples.begin(), samples.end());
+  takeFromNeighbours(field_, frame_.step, z, faceSteps(), 1, batch);
+  for (const NeighbourSteps steps : {edgeSteps(), cornerSteps()}) {
+    origin.clear();
+    for (std::size_t i = 0; i < batch.count; ++i)
+      if (batch.state[i] != PointState::settled) origin.push_back(i);
+    if (origin.empty()) return;
+    part.resize(origin.size());
+    for (std::size_t i = 0; i < origin.size(); ++i) {
+      part.x[i] = batch.x[origin[i]];
+      part.y[i] = batch.y[origin[i]];
     }
-    if (all.empty()) return;
-    fill(all, batch);
-    for (std::size_t i = 0; i < all.size(); ++i) batch.set(i, field_.at(level_.index(all[i].x, all[i].y, z)));
-    search(z, false, batch);
-    write(z, batch);
-  });
+    part.padPlaces();
+    takeFromNeighbours(field_, frame_.step, z, steps, 1, part);
+    for (std::size_t i = 0; i < origin.size(); ++i) {
+      batch.set(origin[i], part.point(i));
+      batch.state[origin[i]] = part.state[i];
+    }
+  }
+}
+
+// Searches for the samples of the rows that are not in the set; rowOf(y, z, row) makes a row.
+template <class RowOf>
+void BandSolver::growTo(const RowOf& rowOf) {
   parallelFor(found_.size(), [&](std::size_t plane) {
     const int z = static_cast<int>(plane);
-    BitRow row(words);
+    BitRow row(static_cast<std::size_t>(set_.words()));
     std::vector<glm::ivec2> samples;
     for (int y = 0; y < level_.size.y; ++y) {
-      std::fill(row.begin(), row.end(), std::uint64_t{0});
-      orRow(y, z - 1, row);
-      orRow(y, z + 1, row);
-      missing(y, z, row);
+      rowOf(y, z, row);
+      const std::uint64_t* own = set_.row(y, z);
+      for (std::size_t w = 0; w < row.size(); ++w) row[w] &= ~own[w];
       appendRow(row, y, samples);
     }
     if (samples.empty()) return;
     PointBatch& batch = threadBatch();
-    takeAll(z, samples, kAlongZ, batch);
+    start(z, samples, batch);
     search(z, false, batch);
     keep(plane, batch);
   });
@@ -170,14 +141,20 @@ void BandSolver::growWithin(const Missing& missing) {
 }
 
 void BandSolver::growToCorners(const BitGrid& inside) {
-  growWithin([&](int y, int z, BitRow& row) {
-    std::uint64_t any = 0;
-    for (std::size_t w = 0; w < row.size(); ++w) any |= row[w] &= ~set_.row(y, z)[w];
-    if (any == 0) return;
-    BitRow corners(row.size());
-    cornerRow(inside, y, z, corners);
-    for (std::size_t w = 0; w < row.size(); ++w) row[w] &= corners[w];
+  growTo([&](int y, int z, BitRow& row) {
+    // Far from the set the row of corners is not worth its making.
+    grownRow(set_, y, z, row);
+    if (std::all_of(row.begin(), row.end(), [](std::uint64_t word) { return word == 0; })) return;
+    cornerRow(inside, y, z, row);
   });
+}
+
+void BandSolver::grow() {
+  growTo([&](int y, int z, BitRow& row) { grownRow(set_, y, z, row); });
+}
+
+void BandSolver::growAcrossFaces() {
+  growTo([&](int y, int z, BitRow& row) { grownAcrossFacesRow(set_, y, z, row); });
 }
 
 void BandSolver::reseedCorners(const BitGrid& inside) {
@@ -194,9 +171,6 @@ void BandSolver::reseedCorners(const BitGrid& inside) {
     if (samples.empty()) return;
     PointBatch& batch = threadBatch();
     fill(samples, batch);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      batch.set(i, field_.at(level_.index(samples[i].x, samples[i].y, z)));
-    batch.pad();
     doubtNeighbours(field_, frame_.step, z, batch);
     for (std::size_t i = 0; i < batch.count; ++i) {
       if (batch.state[i] != PointState::stuck) continue;
@@ -205,39 +179,6 @@ void BandSolver::reseedCorners(const BitGrid& inside) {
       const glm::vec3 point(offset);
       if (squaredLength(point) < squaredLength(batch.point(i))) found_[plane].push_back({samples[i], point});
     }
-  });
-  placeFound();
-}
-
-void BandSolver::grow() {
-  growWithin([&](int y, int z, BitRow& row) {
-    for (std::size_t w = 0; w < row.size(); ++w) row[w] &= ~set_.row(y, z)[w];
-    row.back() &= set_.lastWordMask();
-  });
-}
-
-void BandSolver::growAcrossFaces() {
-  parallelFor(found_.size(), [&](std::size_t plane) {
-    const int z = static_cast<int>(plane);
-    BitRow row(static_cast<std::size_t>(set_.words()));
-    std::vector<glm::ivec2> samples;
-    for (int y = 0; y < level_.size.y; ++y) {
-      std::fill(row.begin(), row.end(), std::uint64_t{0});
-      orRow(y, z, row);
-      spreadAlongX(row.data(), set_.words());
-      orRow(y - 1, z, row);
-      orRow(y + 1, z, row);
-      orRow(y, z - 1, row);
-      orRow(y, z + 1, row);
-      for (std::size_t w = 0; w < row.size(); ++w) row[w] &= ~set_.row(y, z)[w];
-      row.back() &= set_.lastWordMask();
-      appendRow(row, y, samples);
-    }
-    if (samples.empty()) return;
-    PointBatch& batch = threadBatch();
-    takeAll(z, samples, kAlongX | kAlongY | kAlongZ, batch);
-    search(z, false, batch);
-    keep(plane, batch);
   });
   placeFound();
 }
@@ -275,7 +216,7 @@ void BandSolver::relax(int rounds) {
         if (round == 0) {
           std::copy_n(set_.row(y, z), row.size(), row.begin());
         } else {
-          grownRow(changed, y, z, row);
+          grownAcrossFacesRow(changed, y, z, row);
           for (std::size_t w = 0; w < row.size(); ++w) row[w] &= set_.row(y, z)[w];
         }
         appendRow(row, y, samples);
@@ -283,13 +224,10 @@ void BandSolver::relax(int rounds) {
       if (samples.empty()) return;
       PointBatch& batch = threadBatch();
       fill(samples, batch);
-      for (std::size_t i = 0; i < samples.size(); ++i)
-        batch.set(i, field_.at(level_.index(samples[i].x, samples[i].y, z)));
-      batch.pad();
-      takeFromNeighbours(field_, frame_.step, z, kAlongX | kAlongY | kAlongZ, kWorthTaking, batch);
+      takeFromNeighbours(field_, frame_.step, z, faceSteps(), kWorthTaking, batch);
       std::size_t better = 0;
       for (std::size_t i = 0; i < batch.count; ++i)
-        if (batch.state[i] == PointState::settled) batch.copy(better++, batch, i);
+        if (batch.state[i] == PointState::settled) batch.copyStart(better++, i);
       if (better == 0) return;
       batch.resize(better);
       search(z, false, batch);

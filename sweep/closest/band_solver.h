@@ -34,12 +34,10 @@ class BandSolver {
     glm::vec3 offset{0};
   };
 
-  template <class Missing>
-  void growWithin(const Missing& missing);
-  void takeAll(int z, const std::vector<glm::ivec2>& samples, unsigned axes, PointBatch& batch) const;
-  void orRow(int y, int z, BitRow& row) const;
+  template <class RowOf>
+  void growTo(const RowOf& rowOf);
+  void start(int z, const std::vector<glm::ivec2>& samples, PointBatch& batch) const;
   void search(int z, bool isSeed, PointBatch& batch) const;
-  void write(int z, const PointBatch& batch);
   void keep(std::size_t plane, const PointBatch& batch);
   void placeFound();
   std::size_t planeIndex(int z) const { return level_.index(0, 0, z); }

@@ -109,5 +109,16 @@ void grownRow(const BitGrid& set, int y, int z, BitRow& row) {
   row.back() &= set.lastWordMask();
 }
 
+void grownAcrossFacesRow(const BitGrid& set, int y, int z, BitRow& row) {
+  const glm::ivec3 size = set.size();
+  std::copy_n(set.row(y, z), row.size(), row.begin());
+  spreadAlongX(row.data(), set.words());
+  row.back() &= set.lastWordMask();
+  // A row beyond the grid is the row itself.
+  for (const std::uint64_t* from : {set.row(std::max(y - 1, 0), z), set.row(std::min(y + 1, size.y - 1), z),
+                                    set.row(y, std::max(z - 1, 0)), set.row(y, std::min(z + 1, size.z - 1))})
+    for (std::size_t w = 0; w < row.size(); ++w) row[w] |= from[w];
+}
+
 }  // namespace isolume
 #endif

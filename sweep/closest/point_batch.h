@@ -61,9 +61,24 @@ struct PointBatch {
     tries[i] = from.tries[j];
     state[i] = from.state[j];
   }
-  /// To be called when all samples are in.
+  /// Sample i becomes sample j, as far as a search that has not begun needs it.
+  void copyStart(std::size_t i, std::size_t j) {
+    x[i] = x[j];
+    y[i] = y[j];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      offset[axis][i] = offset[axis][j];
+      trial[axis][i] = trial[axis][j];
+    }
+  }
+  /// Fills the groups, once all samples are in: everything, or their places alone.
   void pad() {
-    for (std::size_t i = count; i < x.size(); ++i) copy(i, *this, count - 1);
+    for (std::size_t i = count; i < padded(); ++i) copy(i, *this, count - 1);
+  }
+  void padPlaces() {
+    for (std::size_t i = count; i < padded(); ++i) {
+      x[i] = x[count - 1];
+      y[i] = y[count - 1];
+    }
   }
   void set(std::size_t i, glm::vec3 point) {
     for (std::size_t axis = 0; axis < 3; ++axis) offset[axis][i] = trial[axis][i] = point[static_cast<int>(axis)];

@@ -3,7 +3,7 @@
 // Newton's method on the equations of closest_point.h, one evaluation of the interpolant per step: the step aims at
 // f = 0 and at the foot at once. A point counts if it lies on the surface to kOnSurface and is nearer than the one
 // before it. A lane is settled when its point is on the surface and a foot (the tangential step left would shorten the
-// distance by less than 1e-6) and not further than the point it came with. What does not settle within kPointSteps
+// distance by less than 1e-5) and not further than the point it came with. What does not settle within kPointSteps
 // keeps the best point found and is left to closest_point.h: creases between cells, saddles, other sheets.
 //
 // Levels are scaled by a power of two per cell, so that their size does not matter; where a cell's steepness is below

@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
 
 // A step that promises to shorten the distance by no more than this, in smallest spacings, is not taken.
-inline constexpr float kSettledGain = 1e-6F;
+inline constexpr float kSettledGain = 1e-5F;
 // What may be left where nothing nearer is found: more than this and the search is stuck.
 inline constexpr float kStuckGain = 1e-3F;
 inline constexpr float kMostTries = 14;           // looks without a nearer point; creases need about ten
