@@ -156,10 +156,11 @@ OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStora
 }
 
 SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options) {
-  const bool band = options.extent == DistanceExtent::band;
-  if (options.solver == DistanceSolver::godunov && !band) return sweepWholeDomain(level, options);
+  if (sweptTogether(options)) return sweepWholeDomain(level, options);
   SweptFields fields;
-  fields.distance = options.solver == DistanceSolver::closest ? closestDistance(level) : sweepBand(level, options);
+  fields.distance = options.solver == DistanceSolver::closest
+                        ? closestDistance(level, {.extent = options.extent, .bandVoxels = options.bandVoxels})
+                        : sweepBand(level, options);
   if (options.visibility != VisibilityStorage::none)
     fields.visibility = sweepVisibility(fields.distance.view(), options.visibility);
   return fields;

@@ -1,5 +1,6 @@
 #include "closest_distance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,22 +10,46 @@
 #include "sweep/parallel.h"
 
 namespace isolume {
+namespace {
+
+// `limit` everywhere but in the band, and nowhere more; negative inside.
+void writeBandDistance(GridView<const float> level, const NearRuns& band, float limit, OffsetField& field) {
+  const auto unit = static_cast<float>(smallestSpacing(level.spacing));
+  parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t plane) {
+    const int z = static_cast<int>(plane);
+    for (int y = 0; y < level.size.y; ++y) {
+      const std::size_t at = level.index(0, y, z);
+      const float* levels = level.data + at;
+      float* row = field.component[0].data() + at;
+      int x = 0;
+      const auto limitTo = [&](int end) {
+        for (; x < end; ++x) row[x] = levels[x] > 0 ? -limit : limit;
+      };
+      for (const Run& run : band.row(y, z)) {
+        limitTo(run.begin);
+        offsetsToDistance(row + x, field.component[1].data() + at + x, field.component[2].data() + at + x, levels + x,
+                          unit, static_cast<std::size_t>(run.end - run.begin), row + x);
+        for (; x < run.end; ++x) row[x] = std::clamp(row[x], -limit, limit);
+      }
+      limitTo(level.size.x);
+    }
+  });
+}
+
+}  // namespace
 
 Grid<float> closestDistance(GridView<const float> level, const ClosestOptions& options) {
   OffsetField field(level);
-  const bool hasSurface = startOffsets(level, options.band, field) > 0;
-  if (hasSurface) {
-    for (int round = 0; round < options.rounds; ++round) carryOffsets(field);
+  const NearRuns band(solveBand(level, options.bandVoxels, field));
+  if (band.empty()) {
+    // No sample is inside: a grid that is all inside has its cap.
+    std::fill_n(field.component[0].data(), level.count(), std::numeric_limits<float>::infinity());
+  } else if (options.extent == DistanceExtent::band) {
+    const double limit = (options.bandVoxels + 1) * smallestSpacing(level.spacing);
+    writeBandDistance(level, band, static_cast<float>(limit), field);
+  } else {
+    carryOffsets(level, band, options.rounds, field);
   }
-  // Without a surface there is nothing inside: a grid that is all inside has its cap.
-  const float unit =
-      hasSurface ? static_cast<float>(smallestSpacing(level.spacing)) : std::numeric_limits<float>::infinity();
-  const std::size_t perPlane = voxelCount({level.size.x, level.size.y, 1});
-  parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t z) {
-    const std::size_t first = z * perPlane;
-    offsetsToDistance(field.component[0].data() + first, field.component[1].data() + first,
-                      field.component[2].data() + first, level.data + first, unit, perPlane);
-  });
   return std::move(field.component[0]);
 }
 

@@ -18,6 +18,7 @@
 // O(nx ny). Bitwise the same for any number of threads and any SIMD width.
 #pragma once
 
+#include "sweep/distance_extent.h"
 #include "sweep/grid.h"
 
 namespace isolume {
@@ -31,8 +32,9 @@ namespace isolume {
 ///   3      .0020 (.0028)   .0032 (.0059)       .0054 (.0061)   .14 (.10)
 /// The trilinear interpolant itself is off by .0032 at most on that sphere, so band 2 is exact to the data.
 struct ClosestOptions {
-  int band = 2;    ///< layers of samples around the seeds that are solved on the interpolant, >= 0
-  int rounds = 1;  ///< rounds of two passes, >= 1; a second one changes next to nothing
+  DistanceExtent extent = DistanceExtent::full;
+  int bandVoxels = 3;  ///< layers of samples around the cells with surface that are solved on the interpolant, >= 0
+  int rounds = 1;      ///< rounds of two passes, >= 1; a second one changes next to nothing
 };
 
 /// `level` as of makeLevel(): > 0 inside, finite everywhere.

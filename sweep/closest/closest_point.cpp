@@ -13,10 +13,6 @@ constexpr int kHalvings = 2;         // of a tangential step that led further aw
 constexpr double kSettled = 1e-6;    // a step t this short is not worth it: it shortens the distance d by t^2 / (2 d)
 constexpr double kLongestJump = 3;   // a projection longer than this, in smallest spacings, has lost its sheet
 constexpr double kWorthTrying = .9;  // of the best distance: the tangent plane of another start must be this near
-// Another start belongs to the sheet already found if it leaves the tangent plane there by less than this slope. A
-// sphere of radius 4 spacings leaves its own plane by less within two spacings.
-constexpr double kSameSheet = .25;
-
 double squared(glm::dvec3 v) { return glm::dot(v, v); }
 
 // Drops the parts of `direction` that lead out of the box at `position`.

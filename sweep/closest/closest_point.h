@@ -21,6 +21,10 @@ namespace isolume {
 /// How far from the surface a point may lie and still count as a point of it, in units of the smallest spacing.
 inline constexpr double kOnSurface = 1e-6;
 
+/// A start belongs to the sheet already found if it leaves the tangent plane there by less than this slope. A sphere of
+/// radius 4 spacings leaves its own plane by less within two spacings.
+inline constexpr double kSameSheet = .25;
+
 /// Moves `offset`, a point of the surface, closer to its sample as far as the steps above go. True if it moved.
 bool refineOffset(const LevelInterpolant& level, glm::ivec3 sample, glm::dvec3& offset);
 

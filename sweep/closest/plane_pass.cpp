@@ -11,28 +11,39 @@ namespace {
 
 class PlanePass {
  public:
-  explicit PlanePass(OffsetField& field)
-      : field_(field),
+  PlanePass(const NearRuns& fixed, OffsetField& field)
+      : fixed_(fixed),
+        field_(field),
         size_(field.component[0].size()),
         step_(field.component[0].view().spacing / smallestSpacing(field.component[0].view().spacing)),
         before_(size_.x, size_.y),
         plane_(size_.x, size_.y),
         copy_(size_.x, size_.y) {}
 
-  // Planes in direction dz; `dz` is also minus the step to the plane before.
-  void run(int dz) {
+  // Planes in direction dz; `dz` is also minus the step to the plane before. In the first pass of all, nothing but the
+  // fixed samples is read from the field. finishRow(z, y, plane) takes over a row of points.
+  template <class FinishRow>
+  void run(int dz, bool first, const FinishRow& finishRow) {
     for (int i = 0; i < size_.z; ++i) {
-      onPlane(dz > 0 ? i : size_.z - 1 - i, i == 0 ? 0 : dz);
+      onPlane(dz > 0 ? i : size_.z - 1 - i, i == 0 ? 0 : dz, first, finishRow);
       std::swap(before_, plane_);
     }
   }
 
+  // Row y of plane z from the scratch plane into the field.
+  void storeRow(int z, int y, const PaddedPlane& plane) {
+    const std::size_t at = field_.component[0].view().index(0, y, z);
+    for (int axis = 0; axis < 3; ++axis)
+      std::memcpy(component(axis) + at, plane.row(axis, y), sizeof(float) * static_cast<std::size_t>(size_.x));
+  }
+
  private:
-  void onPlane(int z, int dz) {
+  template <class FinishRow>
+  void onPlane(int z, int dz, bool first, const FinishRow& finishRow) {
     const std::size_t groups = static_cast<std::size_t>(PaddedPlane::roundUp(size_.y) / kRowGroup);
     parallelFor(groups, [&](std::size_t group) {
       for (int y = static_cast<int>(group) * kRowGroup; y < rowEnd(group); ++y) {
-        moveRow(z, y, true);
+        loadRow(z, y, first);
         if (dz != 0) {
           takeFromPlane(before_, static_cast<float>(-dz) * step_.z, step_, size_.x, y, plane_, copy_);
         } else {
@@ -49,22 +60,36 @@ class PlanePass {
     });
     parallelFor(groups, [&](std::size_t group) {
       takeAlongRows(copy_, step_.x, size_.x, static_cast<int>(group) * kRowGroup, plane_);
-      for (int y = static_cast<int>(group) * kRowGroup; y < rowEnd(group); ++y) moveRow(z, y, false);
+      for (int y = static_cast<int>(group) * kRowGroup; y < rowEnd(group); ++y) {
+        loadFixed(z, y);
+        finishRow(z, y, plane_);
+      }
     });
   }
 
   int rowEnd(std::size_t group) const { return std::min(static_cast<int>(group + 1) * kRowGroup, size_.y); }
+  float* component(int axis) { return field_.component[static_cast<std::size_t>(axis)].data(); }
 
-  // Row y of plane z from the field into the scratch plane, or back.
-  void moveRow(int z, int y, bool load) {
+  // Row y of plane z from the field into the scratch plane.
+  void loadRow(int z, int y, bool fixedOnly) {
     const std::size_t at = field_.component[0].view().index(0, y, z);
     for (int axis = 0; axis < 3; ++axis) {
-      float* row = field_.component[static_cast<std::size_t>(axis)].data() + at;
-      float* scratch = plane_.row(axis, y);
-      std::memcpy(load ? scratch : row, load ? row : scratch, sizeof(float) * static_cast<std::size_t>(size_.x));
+      if (fixedOnly) {
+        std::fill_n(plane_.row(axis, y), size_.x, axis == 0 ? kUnsetOffset : 0.0F);
+      } else {
+        std::memcpy(plane_.row(axis, y), component(axis) + at, sizeof(float) * static_cast<std::size_t>(size_.x));
+      }
     }
+    if (fixedOnly) loadFixed(z, y);
+  }
+  void loadFixed(int z, int y) {
+    const std::size_t at = field_.component[0].view().index(0, y, z);
+    for (const Run& run : fixed_.row(y, z))
+      for (int axis = 0; axis < 3; ++axis)
+        std::copy(component(axis) + at + run.begin, component(axis) + at + run.end, plane_.row(axis, y) + run.begin);
   }
 
+  const NearRuns& fixed_;
   OffsetField& field_;
   glm::ivec3 size_;
   glm::vec3 step_;
@@ -73,10 +98,23 @@ class PlanePass {
 
 }  // namespace
 
-void carryOffsets(OffsetField& field) {
-  PlanePass pass(field);
-  pass.run(1);
-  pass.run(-1);
+void carryOffsets(GridView<const float> level, const NearRuns& fixed, int rounds, OffsetField& field) {
+  PlanePass pass(fixed, field);
+  const auto store = [&](int z, int y, const PaddedPlane& plane) { pass.storeRow(z, y, plane); };
+  const auto unit = static_cast<float>(smallestSpacing(level.spacing));
+  const auto finish = [&](int z, int y, const PaddedPlane& plane) {
+    const std::size_t at = level.index(0, y, z);
+    offsetsToDistance(plane.row(0, y), plane.row(1, y), plane.row(2, y), level.data + at, unit,
+                      static_cast<std::size_t>(level.size.x), field.component[0].data() + at);
+  };
+  for (int round = 0; round < rounds; ++round) {
+    pass.run(1, round == 0, store);
+    if (round + 1 < rounds) {
+      pass.run(-1, false, store);
+    } else {
+      pass.run(-1, false, finish);
+    }
+  }
 }
 
 }  // namespace isolume

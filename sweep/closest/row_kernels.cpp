@@ -182,7 +182,8 @@ void alongStep(const PaddedPlane& other, float stepX, int nx, int y, PaddedPlane
     for (int x = 0; x < nx; x += kRowGroup) toRows(columns[axis] + x * kRowGroup, plane.row(axis, y) + x, stride);
 }
 
-void distanceStep(float* x, const float* y, const float* z, const float* level, float unit, std::size_t count) {
+void distanceStep(const float* x, const float* y, const float* z, const float* level, float unit, std::size_t count,
+                  float* out) {
   const FloatTag d;
   const std::size_t lanes = hn::Lanes(d);
   std::size_t i = 0;
@@ -190,11 +191,11 @@ void distanceStep(float* x, const float* y, const float* z, const float* level, 
     const auto squared = squaredOf(hn::LoadU(d, x + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i));
     const auto distance = hn::Mul(hn::Sqrt(squared), hn::Set(d, unit));
     const auto inside = hn::Gt(hn::LoadU(d, level + i), hn::Zero(d));
-    hn::StoreU(hn::IfThenElse(inside, hn::Neg(distance), distance), d, x + i);
+    hn::StoreU(hn::IfThenElse(inside, hn::Neg(distance), distance), d, out + i);
   }
   for (; i < count; ++i) {
     const float distance = std::sqrt(squaredLength({x[i], y[i], z[i]})) * unit;
-    x[i] = level[i] > 0 ? -distance : distance;
+    out[i] = level[i] > 0 ? -distance : distance;
   }
 }
 
@@ -219,8 +220,9 @@ void takeFromRows(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy,
 void takeAlongRows(const PaddedPlane& other, float stepX, int nx, int y, PaddedPlane& plane) {
   HWY_DYNAMIC_DISPATCH(alongStep)(other, stepX, nx, y, plane);
 }
-void offsetsToDistance(float* x, const float* y, const float* z, const float* level, float unit, std::size_t count) {
-  HWY_DYNAMIC_DISPATCH(distanceStep)(x, y, z, level, unit, count);
+void offsetsToDistance(const float* x, const float* y, const float* z, const float* level, float unit,
+                       std::size_t count, float* out) {
+  HWY_DYNAMIC_DISPATCH(distanceStep)(x, y, z, level, unit, count, out);
 }
 
 }  // namespace isolume

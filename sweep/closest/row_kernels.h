@@ -16,7 +16,9 @@ void takeFromRows(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy,
 /// The rest of step 2 and step 3 for rows y to y + kRowGroup - 1: the nearer of `plane` and `other`, then along x.
 void takeAlongRows(const PaddedPlane& other, float stepX, int nx, int y, PaddedPlane& plane);
 
-/// squaredLength, square root and sign for a run of samples: overwrites x by the distance, negative where level > 0.
-void offsetsToDistance(float* x, const float* y, const float* z, const float* level, float unit, std::size_t count);
+/// squaredLength, square root, unit and sign for a run of samples: the distance, negative where level > 0. `out` may be
+/// x.
+void offsetsToDistance(const float* x, const float* y, const float* z, const float* level, float unit,
+                       std::size_t count, float* out);
 
 }  // namespace isolume

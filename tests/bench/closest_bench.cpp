@@ -1,8 +1,10 @@
 // Time and error of the closest-point distance, in one run with the first-order sweep without visibility.
 //
-// Held fixed: ball of radius .31 n and torus of radii .27 n and .11 n (tilted), one round of passes. Arguments: n,
-// band, threads (0 = all). Items = voxels. Beside each time: mean and largest error in voxels over the whole domain and
-// within 3 voxels of the surface, against the closed form, checked after timing. Compare times of one run only.
+// Held fixed: ball of radius .31 n, torus of radii .27 n and .11 n (tilted), and the scene "gyroid", whose surface is
+// near most of the grid; one round of passes. Arguments: n, threads, and for the closest points bandVoxels. Items =
+// voxels. Beside each time, except for the gyroid: mean and largest error in voxels over the whole domain and within 3
+// voxels of the surface, against the closed form, checked after timing. The trilinear interpolant of the levels is
+// itself off by up to .004. Compare times of one run only.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -13,6 +15,7 @@
 #include "sweep/closest/closest_distance.h"
 #include "sweep/occlusion_sweep.h"
 #include "sweep/parallel.h"
+#include "volumes/scenes.h"
 
 namespace isolume {
 namespace {
@@ -55,48 +58,74 @@ void reportError(benchmark::State& state, const Distance& exact, const Grid<floa
   state.counters["max_error"] = largest;
   state.counters["near_mean_error"] = nearSum / nearCount;
   state.counters["near_max_error"] = nearLargest;
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(i));
 }
 
-void run(benchmark::State& state, Distance (*shape)(double), bool closest) {
-  setThreadCount(static_cast<int>(state.range(2)));
-  const int n = static_cast<int>(state.range(0));
-  const int band = static_cast<int>(state.range(1));
-  const Distance exact = shape(n);
-  const Grid<float> level = test::sampleLevel(glm::ivec3(n), glm::dvec3(1), [&](glm::dvec3 p) { return -exact(p); });
+enum class Way { sweep, full, band };
+
+// `exact` may be empty: no errors then.
+void run(benchmark::State& state, const Grid<float>& level, const Distance& exact, Way way) {
+  setThreadCount(static_cast<int>(state.range(1)));
   Grid<float> distance;
   for (auto _ : state) {
     distance = {};
-    if (closest) {
-      distance = closestDistance(level.view(), {.band = band});
-    } else {
+    if (way == Way::sweep) {
       distance = sweepOcclusion(level.view(), {.visibility = VisibilityStorage::none}).distance;
+    } else {
+      const auto extent = way == Way::full ? DistanceExtent::full : DistanceExtent::band;
+      distance = closestDistance(level.view(), {.extent = extent, .bandVoxels = static_cast<int>(state.range(2))});
     }
     benchmark::DoNotOptimize(distance.data());
   }
-  reportError(state, exact, distance);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(level.count()));
+  if (exact && way != Way::band) reportError(state, exact, distance);
   setThreadCount(0);
 }
 
-void closestOfBall(benchmark::State& state) { run(state, ball, true); }
-void closestOfTorus(benchmark::State& state) { run(state, torus, true); }
-void sweepOfBall(benchmark::State& state) { run(state, ball, false); }
-void sweepOfTorus(benchmark::State& state) { run(state, torus, false); }
-
-void bands(benchmark::internal::Benchmark* b) {
-  for (const int threads : {1, 0})
-    for (const int n : {128, 250})
-      for (const int band : {0, 1, 2, 3}) b->Args({n, band, threads});
+template <Way way>
+void ofShape(benchmark::State& state, Distance (*shape)(double)) {
+  const int n = static_cast<int>(state.range(0));
+  const Distance exact = shape(n);
+  run(state, test::sampleLevel(glm::ivec3(n), glm::dvec3(1), [&](glm::dvec3 p) { return -exact(p); }), exact, way);
 }
-void noBand(benchmark::internal::Benchmark* b) {
-  for (const int threads : {1, 0})
-    for (const int n : {128, 250}) b->Args({n, 0, threads});
+template <Way way>
+void ofBall(benchmark::State& state) {
+  ofShape<way>(state, ball);
+}
+template <Way way>
+void ofTorus(benchmark::State& state) {
+  ofShape<way>(state, torus);
+}
+template <Way way>
+void ofGyroid(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  const Scene* scene = findScene("gyroid");
+  run(state,
+      test::sampleLevel(glm::ivec3(n), glm::dvec3(1),
+                        [&](glm::dvec3 p) { return -n * static_cast<double>(scene->value(p / double(n))); }),
+      {}, way);
 }
 
-BENCHMARK(closestOfBall)->Apply(bands)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(closestOfTorus)->Apply(bands)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(sweepOfBall)->Apply(noBand)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(sweepOfTorus)->Apply(noBand)->Unit(benchmark::kMillisecond)->UseRealTime();
+void closestArguments(benchmark::internal::Benchmark* b) {
+  for (const int threads : {1, 2}) b->Args({250, threads, 3});
+}
+// What each layer of the band costs and gains, and how time grows with the grid.
+void moreArguments(benchmark::internal::Benchmark* b) {
+  closestArguments(b);
+  for (const int band : {0, 1, 2}) b->Args({250, 1, band});
+  for (const int n : {128, 256, 512}) b->Args({n, 2, 3});
+}
+void sweepArguments(benchmark::internal::Benchmark* b) {
+  for (const int threads : {1, 2}) b->Args({250, threads});
+}
+
+BENCHMARK(ofBall<Way::sweep>)->Apply(sweepArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofBall<Way::full>)->Apply(moreArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofBall<Way::band>)->Apply(moreArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofTorus<Way::full>)->Apply(closestArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofTorus<Way::band>)->Apply(closestArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofGyroid<Way::sweep>)->Apply(sweepArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofGyroid<Way::full>)->Apply(closestArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofGyroid<Way::band>)->Apply(closestArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace isolume

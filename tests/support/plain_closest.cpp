@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <utility>
 
 #include "sweep/closest/surface_band.h"
 
@@ -15,6 +16,7 @@ struct Passes {
   glm::ivec3 n;
   glm::vec3 h;
   std::vector<glm::vec3> offset;
+  std::vector<std::pair<std::size_t, glm::vec3>> fixed;  // by index
 
   std::size_t index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * n.y + y) * static_cast<std::size_t>(n.x) + x;
@@ -52,18 +54,28 @@ struct Passes {
             if (y + dy >= 0 && y + dy < n.y)
               takeThree(&offset[index(0, y + dy, z - dz)], x, glm::vec3(0, dy, -dz) * h, offset[index(x, y, z)]);
       inPlane(z);
+      for (const auto& [at, point] : fixed)
+        if (at >= index(0, 0, z) && at < index(0, 0, z + 1)) offset[at] = point;
     }
   }
 };
 
 }  // namespace
 
-std::vector<float> plainClosestDistance(GridView<const float> level, int band, int rounds) {
+std::vector<float> plainClosestDistance(GridView<const float> level, int bandVoxels, int rounds) {
   OffsetField field(level);
-  const bool hasSurface = startOffsets(level, band, field) > 0;
+  const BitGrid band = solveBand(level, bandVoxels, field);
   const double unit = smallestSpacing(level.spacing);
-  Passes passes{level.size, glm::vec3(level.spacing / unit), {}};
-  for (std::size_t i = 0; i < level.count(); ++i) passes.offset.push_back(field.at(i));
+  Passes passes{level.size, glm::vec3(level.spacing / unit), {}, {}};
+  for (int z = 0; z < level.size.z; ++z)
+    for (int y = 0; y < level.size.y; ++y)
+      for (int x = 0; x < level.size.x; ++x) {
+        const std::size_t i = level.index(x, y, z);
+        const bool isFixed = band.test(x, y, z);
+        passes.offset.push_back(isFixed ? field.at(i) : glm::vec3(kUnsetOffset, 0, 0));
+        if (isFixed) passes.fixed.emplace_back(i, field.at(i));
+      }
+  const bool hasSurface = !passes.fixed.empty();
   for (int round = 0; hasSurface && round < rounds; ++round) {
     passes.pass(1);
     passes.pass(-1);
@@ -77,8 +89,30 @@ std::vector<float> plainClosestDistance(GridView<const float> level, int band, i
   return distance;
 }
 
-std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
+namespace {
+
+// Corners of a mixed cell whose level is 0, to the solver's tolerance of the largest: the zero set holds them.
+template <class Strew>
+void strewZeroCorners(GridView<const float> level, glm::ivec3 cell, const Strew& strew) {
+  constexpr double kZero = 1e-6;
+  double largest = 0;
+  int inside = 0;
+  const auto corner = [&](int i) { return glm::min(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2), level.size - 1); };
+  for (int i = 0; i < 8; ++i) {
+    const double value = level(corner(i).x, corner(i).y, corner(i).z);
+    largest = std::max(largest, std::abs(value));
+    inside += value > 0 ? 1 : 0;
+  }
+  if (inside == 0 || inside == 8) return;
+  for (int i = 0; i < 8; ++i)
+    if (std::abs(level(corner(i).x, corner(i).y, corner(i).z)) <= kZero * largest) strew(glm::dvec3(corner(i)));
+}
+
+}  // namespace
+
+std::vector<double> strewnDistance(GridView<const float> level, int perAxis, bool zeroCorners) {
   const glm::ivec3 n = level.size;
+  const glm::ivec3 cells = glm::max(n - 1, glm::ivec3(1));  // flat ones along an axis of one sample
   std::vector<double> nearest(level.count(), std::numeric_limits<double>::infinity());
   const auto strew = [&](glm::dvec3 p) {
     std::size_t i = 0;
@@ -92,8 +126,10 @@ std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
       for (int x = 0; x < n.x; ++x) {
         const bool border = x == 0 || y == 0 || z == 0 || x == n.x - 1 || y == n.y - 1 || z == n.z - 1;
         if (border && level(x, y, z) > 0) strew(glm::dvec3(x, y, z));
-        if (x == n.x - 1 || y == n.y - 1 || z == n.z - 1) continue;
-        for (int axis = 0; axis < 3; ++axis)
+        if (x >= cells.x || y >= cells.y || z >= cells.z) continue;
+        if (zeroCorners) strewZeroCorners(level, {x, y, z}, strew);
+        for (int axis = 0; axis < 3; ++axis) {
+          if (n[axis] == 1) continue;
           for (int j = 0; j <= perAxis; ++j)
             for (int k = 0; k <= perAxis; ++k) {
               const int b = (axis + 1) % 3, c = (axis + 2) % 3;
@@ -103,8 +139,8 @@ std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
                 for (int corner = 0; corner < 4; ++corner) {
                   glm::ivec3 q(x, y, z);
                   q[axis] += along;
-                  q[b] += corner & 1;
-                  q[c] += corner >> 1;
+                  if (n[b] > 1) q[b] += corner & 1;
+                  if (n[c] > 1) q[c] += corner >> 1;
                   sum += (corner & 1 ? u : 1 - u) * (corner >> 1 ? v : 1 - v) * level(q.x, q.y, q.z);
                 }
                 return sum;
@@ -113,10 +149,11 @@ std::vector<double> strewnDistance(GridView<const float> level, int perAxis) {
               if ((low > 0) == (high > 0)) continue;
               glm::dvec3 p(x, y, z);
               p[axis] += low / (low - high);
-              p[b] += u;
-              p[c] += v;
+              if (n[b] > 1) p[b] += u;
+              if (n[c] > 1) p[c] += v;
               strew(p);
             }
+        }
       }
   return nearest;
 }

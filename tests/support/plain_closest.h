@@ -8,12 +8,14 @@
 
 namespace isolume::test {
 
-/// Distance in world units after `rounds` rounds on the library's own start (startOffsets with `band` layers).
-std::vector<float> plainClosestDistance(GridView<const float> level, int band, int rounds = 1);
+/// Distance in world units after `rounds` rounds on the library's own start (solveBand).
+std::vector<float> plainClosestDistance(GridView<const float> level, int bandVoxels, int rounds = 1);
 
 /// Distance from every sample to the nearest of many points of the trilinear surface and the cap: exact crossings of
-/// `perAxis` x `perAxis` lines along each axis of each mixed cell. Never below the true distance of the surface.
-std::vector<double> strewnDistance(GridView<const float> level, int perAxis);
+/// `perAxis` x `perAxis` lines along each axis of each mixed cell. Never below the true distance of the surface. With
+/// `zeroCorners` the corners of mixed cells whose level is 0 count too: the zero set holds them, even where the solid
+/// does not come near.
+std::vector<double> strewnDistance(GridView<const float> level, int perAxis, bool zeroCorners = false);
 
 /// Is `position` (in samples) a point of the trilinear surface, to `tolerance` of the largest level of its cell, or an
 /// inside sample on the border of the grid (cap)?

@@ -21,7 +21,7 @@ using test::sampleLevel;
 
 void expectEqualsPlain(GridView<const float> level, int band, int rounds = 1) {
   const std::vector<float> want = plainClosestDistance(level, band, rounds);
-  const Grid<float> got = closestDistance(level, {.band = band, .rounds = rounds});
+  const Grid<float> got = closestDistance(level, {.bandVoxels = band, .rounds = rounds});
   EXPECT_EQ(std::memcmp(got.data(), want.data(), level.count() * sizeof(float)), 0);
 }
 

@@ -17,5 +17,8 @@ isolume_test(test_closest
   unit/closest_test.cpp
   unit/closest_pass_test.cpp
   unit/closest_degenerate_test.cpp
+  unit/closest_extent_test.cpp
+  unit/closest_points_test.cpp
+  unit/closest_property_test.cpp
   support/plain_closest.cpp
   LIBS isolume_sweep hwy::hwy)

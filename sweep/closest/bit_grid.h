@@ -1,0 +1,71 @@
+// One bit per sample of a grid, in rows of 64-bit words, and sets of neighbours by operations on whole words.
+//
+// Bit x % 64 of word x / 64 of row (y, z); bits beyond the end of a row are 0. One bit per voxel.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "sweep/grid.h"
+
+namespace isolume {
+
+inline constexpr int kWordBits = 64;
+
+/// One row of bits that belongs to nobody's grid.
+using BitRow = std::vector<std::uint64_t>;
+
+class BitGrid {
+ public:
+  explicit BitGrid(glm::ivec3 size)
+      : size_(size),
+        words_((size.x + kWordBits - 1) / kWordBits),
+        bits_(voxelCount({words_, size.y, size.z}), std::uint64_t{0}) {}
+
+  glm::ivec3 size() const { return size_; }
+  int words() const { return words_; }
+  std::uint64_t* row(int y, int z) {
+    return bits_.data() +
+           (static_cast<std::size_t>(z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(words_);
+  }
+  const std::uint64_t* row(int y, int z) const { return const_cast<BitGrid*>(this)->row(y, z); }
+  /// False beyond the grid.
+  bool test(int x, int y, int z) const {
+    if (x < 0 || y < 0 || z < 0 || x >= size_.x || y >= size_.y || z >= size_.z) return false;
+    return (row(y, z)[x / kWordBits] >> (x % kWordBits) & 1) != 0;
+  }
+  void mark(int x, int y, int z) { row(y, z)[x / kWordBits] |= std::uint64_t{1} << (x % kWordBits); }
+  /// The bits of the last word of a row that stand for samples.
+  std::uint64_t lastWordMask() const {
+    const int used = size_.x - (words_ - 1) * kWordBits;
+    return ~std::uint64_t{0} >> (kWordBits - used);
+  }
+
+ private:
+  glm::ivec3 size_;
+  int words_;
+  std::vector<std::uint64_t> bits_;
+};
+
+/// Calls visit(x) for every bit that is set, in rising x.
+template <class Visit>
+void forEachBit(const std::uint64_t* row, int words, const Visit& visit) {
+  for (int w = 0; w < words; ++w)
+    for (std::uint64_t bits = row[w]; bits != 0; bits &= bits - 1) visit(w * kWordBits + std::countr_zero(bits));
+}
+
+/// row |= its two neighbours along x; bits beyond the end are not cleared.
+inline void spreadAlongX(std::uint64_t* row, int words) {
+  std::uint64_t before = 0;
+  for (int w = 0; w < words; ++w) {
+    const std::uint64_t own = row[w];
+    const std::uint64_t after = w + 1 < words ? row[w + 1] << (kWordBits - 1) : 0;
+    row[w] = own | own << 1 | before >> (kWordBits - 1) | own >> 1 | after;
+    before = own;
+  }
+}
+
+}  // namespace isolume

@@ -1,0 +1,124 @@
+#include "near_sets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sweep/closest/near_sets.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace isolume::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+void positiveBits(const float* values, int count, std::uint64_t* words) {
+  const hn::CappedTag<float, 16> d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const std::uint64_t used = (std::uint64_t{1} << lanes) - 1;
+  std::uint64_t word = 0;
+  int x = 0;
+  for (; x + lanes <= count; x += lanes) {
+    std::uint8_t bytes[8] = {};  // as many as StoreMaskBits may write
+    hn::StoreMaskBits(d, hn::Gt(hn::LoadU(d, values + x), hn::Zero(d)), bytes);
+    std::uint64_t bits;
+    std::memcpy(&bits, bytes, sizeof bits);
+    word |= (bits & used) << (x % kWordBits);
+    if ((x + lanes) % kWordBits != 0) continue;
+    words[x / kWordBits] = word;
+    word = 0;
+  }
+  for (; x < count; ++x) word |= std::uint64_t{values[x] > 0} << (x % kWordBits);
+  if (count % kWordBits != 0) words[count / kWordBits] = word;
+}
+
+}  // namespace isolume::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace isolume {
+
+HWY_EXPORT(positiveBits);
+
+void signRow(GridView<const float> level, int y, int z, BitGrid& inside) {
+  HWY_DYNAMIC_DISPATCH(positiveBits)
+  (level.data + z * level.strideZ() + y * level.strideY(), level.size.x, inside.row(y, z));
+}
+
+void crossedRow(const BitGrid& inside, int y, int z, BitRow& row) {
+  const glm::ivec3 size = inside.size();
+  const int words = inside.words();
+  const std::uint64_t* here = inside.row(y, z);
+  // A row beyond the grid is the row itself, which it never crosses.
+  const std::uint64_t* others[4] = {inside.row(std::max(y - 1, 0), z), inside.row(std::min(y + 1, size.y - 1), z),
+                                    inside.row(y, std::max(z - 1, 0)), inside.row(y, std::min(z + 1, size.z - 1))};
+  std::uint64_t before = 0;  // the edge from the word before, at its last bit
+  for (int w = 0; w < words; ++w) {
+    std::uint64_t crossed = 0;
+    for (const std::uint64_t* other : others) crossed |= here[w] ^ other[w];
+    // Bit x of `edges`: samples x and x + 1 differ.
+    std::uint64_t edges = here[w] ^ (here[w] >> 1 | (w + 1 < words ? here[w + 1] << (kWordBits - 1) : 0));
+    if (w + 1 == words) edges &= inside.lastWordMask() >> 1;
+    row[static_cast<std::size_t>(w)] = crossed | edges | edges << 1 | before >> (kWordBits - 1);
+    before = edges;
+  }
+}
+
+void capRow(const BitGrid& inside, int y, int z, BitRow& row) {
+  const glm::ivec3 size = inside.size();
+  const std::uint64_t* here = inside.row(y, z);
+  if (y == 0 || z == 0 || y == size.y - 1 || z == size.z - 1) {
+    std::copy_n(here, inside.words(), row.begin());
+    return;
+  }
+  std::fill(row.begin(), row.end(), std::uint64_t{0});
+  row.front() |= here[0] & 1;
+  const int last = size.x - 1;
+  row.back() |= here[last / kWordBits] & std::uint64_t{1} << (last % kWordBits);
+}
+
+void cornerRow(const BitGrid& inside, int y, int z, BitRow& row) {
+  const glm::ivec3 size = inside.size();
+  const auto words = static_cast<std::size_t>(inside.words());
+  BitRow outside(words, 0);
+  std::fill(row.begin(), row.end(), std::uint64_t{0});
+  for (int k = std::max(z - 1, 0); k <= std::min(z + 1, size.z - 1); ++k)
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.y - 1); ++j) {
+      const std::uint64_t* from = inside.row(j, k);
+      for (std::size_t w = 0; w < words; ++w) {
+        row[w] |= from[w];
+        outside[w] |= ~from[w];
+      }
+    }
+  outside.back() &= inside.lastWordMask();
+  spreadAlongX(row.data(), inside.words());
+  spreadAlongX(outside.data(), inside.words());
+  for (std::size_t w = 0; w < words; ++w) row[w] &= outside[w];
+  row.back() &= inside.lastWordMask();
+}
+
+void grownRow(const BitGrid& set, int y, int z, BitRow& row) {
+  const glm::ivec3 size = set.size();
+  std::fill(row.begin(), row.end(), std::uint64_t{0});
+  for (int k = std::max(z - 1, 0); k <= std::min(z + 1, size.z - 1); ++k)
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.y - 1); ++j) {
+      const std::uint64_t* from = set.row(j, k);
+      for (std::size_t w = 0; w < row.size(); ++w) row[w] |= from[w];
+    }
+  spreadAlongX(row.data(), set.words());
+  row.back() &= set.lastWordMask();
+}
+
+void grownAcrossFacesRow(const BitGrid& set, int y, int z, BitRow& row) {
+  const glm::ivec3 size = set.size();
+  std::copy_n(set.row(y, z), row.size(), row.begin());
+  spreadAlongX(row.data(), set.words());
+  row.back() &= set.lastWordMask();
+  // A row beyond the grid is the row itself.
+  for (const std::uint64_t* from : {set.row(std::max(y - 1, 0), z), set.row(std::min(y + 1, size.y - 1), z),
+                                    set.row(y, std::max(z - 1, 0)), set.row(y, std::min(z + 1, size.z - 1))})
+    for (std::size_t w = 0; w < row.size(); ++w) row[w] |= from[w];
+}
+
+}  // namespace isolume
+#endif

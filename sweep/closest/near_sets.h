@@ -1,0 +1,28 @@
+// Which samples are near the surface, 64 at a time: from the signs of the level, by operations on rows of bits.
+//
+// Thread-safe for different rows of output.
+#pragma once
+
+#include "bit_grid.h"
+
+namespace isolume {
+
+/// Bits of row (y, z): 1 where level > 0.
+void signRow(GridView<const float> level, int y, int z, BitGrid& inside);
+
+/// Samples of row (y, z) with a neighbour of the other sign along an axis.
+void crossedRow(const BitGrid& inside, int y, int z, BitRow& row);
+
+/// Samples of row (y, z) that lie inside on the border of the grid: the cap.
+void capRow(const BitGrid& inside, int y, int z, BitRow& row);
+
+/// Corners of cells with samples on both sides, in row (y, z).
+void cornerRow(const BitGrid& inside, int y, int z, BitRow& row);
+
+/// Samples of row (y, z) that are in `set` or one of whose 26 neighbours is.
+void grownRow(const BitGrid& set, int y, int z, BitRow& row);
+
+/// The same for the 6 neighbours across faces.
+void grownAcrossFacesRow(const BitGrid& set, int y, int z, BitRow& row);
+
+}  // namespace isolume
