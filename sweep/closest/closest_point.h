@@ -1,4 +1,5 @@
-// The point of the isosurface that is closest to one sample, on the trilinear interpolant of the level.
+// The point of the isosurface that is closest to one sample, on the trilinear interpolant of the level: the careful
+// form, in double, for what the vector kernels (point_kernels.h) leave over.
 //
 // Offsets are from the sample, in units of the smallest spacing. What is returned is always a point of the surface (to
 // kOnSurface), so its distance is an upper bound of the true one; near a smooth surface it is the true one.

@@ -1,14 +1,19 @@
 // Closest points of many samples at once, in SIMD: the fast form of closest_point.h, in float.
 //
-// Newton's method on the equations of closest_point.h, one evaluation of the interpolant per step: the step aims at
-// f = 0 and at the foot at once. A point counts if it lies on the surface to kOnSurface and is nearer than the one
-// before it. A lane is settled when its point is on the surface and a foot (the tangential step left would shorten the
-// distance by less than 1e-5) and not further than the point it came with. What does not settle within kPointSteps
-// keeps the best point found and is left to closest_point.h: creases between cells, saddles, other sheets.
+// A search looks at the interpolant once per step. A look counts if its point lies on the surface and is not further
+// than the best before it; from there goes Newton's step for closest_point.h's equations. From a look off the surface
+// goes a step straight to it; where that fails, or ends further away, half as much as before of the tangential step
+// from the best point. Searches end as
+//   settled  the step left would shorten the distance by less than 1e-5 spacings (or by 1e-3, after kMostTries looks in
+//            vain: a crease between cells);
+//   stuck    after as many looks, with more than that to gain: another sheet, a saddle;
+//   failed   in a cell whose steepness is below kSteepEnough of its largest level, where float is too coarse.
+// On the surface means |f| <= kOnSurface |grad f| as computed: the rounding of f adds 4e-7 of the cell's largest level
+// over |grad f|, 3e-5 spacings at worst.
 //
-// Levels are scaled by a power of two per cell, so that their size does not matter; where a cell's steepness is below
-// kSteepEnough of its largest level, float is too coarse and the lane fails. No fused operations, no approximate
-// reciprocals: the same bits on every target and for any order of samples. Thread-safe.
+// Levels are scaled by a power of two per cell, so that their size does not matter. No fused operations, no approximate
+// reciprocals, and what a sample gets does not depend on its neighbours in the vector: the same bits on every target,
+// in any order of samples. About three looks per sample. Thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +31,7 @@ struct PointFrame {
   glm::vec3 inverse{1};  ///< 1 / step
 
   explicit PointFrame(GridView<const float> view);
-  /// False for planes so large (2^25 samples) that the kernels cannot address the cells around a sample.
+  /// False for planes so large (4.2e7 samples) that 32 bits do not address the cells around a sample.
   bool fits() const;
 };
 

@@ -1,17 +1,19 @@
 // The narrow band around the isosurface, in which every sample gets its closest point from the interpolant itself.
 //
 // Seeds are the samples with a crossed edge (and, for caps, samples inside on the border of the grid). The other
-// corners of their cells follow; then the band grows by one sample in every direction (26 neighbours) per layer. A new
-// sample starts from the best point of its neighbours across faces and refines it (point_kernels.h). At last samples
-// take over neighbours' points that are nearer by a two-thousandth, refined again, until that changes nothing.
+// corners of their cells follow. Seeds and corners that may see two sheets look at every cell around them
+// (closest_point.h). Then the band grows by k layers, by one sample in every direction (26 neighbours) or across faces
+// alone (6), where that is enough. A new sample starts from the best point of its neighbours and refines it
+// (point_kernels.h). At last samples take over points of neighbours across faces that are nearer by a two-thousandth,
+// refined again, until that changes nothing.
 //
-// A sample that is not within k layers of the corners of cells with surface is further than k samples from every such
-// cell along some axis, hence at least k + 1 smallest spacings from the surface; so is it from caps, whose cells have
-// cap samples for corners.
+// What k layers leave out is far: of its steps a >= b >= c along the axes to the nearest corner of any cell with
+// surface, a > k, or a + b or a + b + c is more than layers reach, which grow such that then a^2 + b^2 + c^2 >= (k +
+// 1)^2. So it is at least k + 1 smallest spacings from the surface; and so from caps, whose cells have cap samples for
+// corners.
 //
 // No step reads what another thread writes, so the result does not depend on the number of threads. Cost: one pass over
-// the level, then O(band). Memory beside the field: 3 bits per voxel, 20 bytes per sample of the newest third of a
-// layer.
+// the level, then O(band). Memory beside the field: 3 bits per voxel, 20 bytes per sample of the newest layer.
 #pragma once
 
 #include "bit_grid.h"

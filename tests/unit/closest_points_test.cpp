@@ -8,6 +8,7 @@
 #include "support/plain_closest.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_point.h"
+#include "sweep/closest/point_kernels.h"
 #include "sweep/closest/surface_band.h"
 
 namespace isolume {
@@ -96,6 +97,12 @@ TEST(ClosestPoints, LieOnTheSurfaceWhateverTheScale) {
         ++checked;
       }
   EXPECT_GT(checked, 4000);
+}
+
+TEST(ClosestPoints, AreSoughtOneByOneInPlanesTooLargeForTheKernels) {
+  // Cells around a sample are addressed by 32 bits: fifty planes of 6500^2 samples fit, of 6600^2 they do not.
+  EXPECT_TRUE(PointFrame(GridView<const float>(nullptr, {6500, 6500, 3})).fits());
+  EXPECT_FALSE(PointFrame(GridView<const float>(nullptr, {6600, 6600, 3})).fits());
 }
 
 }  // namespace
