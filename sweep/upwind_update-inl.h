@@ -49,7 +49,7 @@ HWY_INLINE VectorMetric vectorMetric(const SweepMetric& metric) {
           hn::Set(d, metric.inverseSquare.x), hn::Set(d, metric.inverseSquare.y), hn::Set(d, metric.inverseSquare.z)};
 }
 
-// The even floats next to an even positive one; of an odd one the two even ones around it are its neighbours' halves.
+// The even floats next to an even positive one.
 HWY_INLINE FloatVec evenBelow(FloatVec value) {
   const FloatTag d;
   const hn::RebindToUnsigned<FloatTag> du;
