@@ -174,9 +174,10 @@ HWY_INLINE FloatVec estimateAnisotropic(const Upwind& a, const VectorMetric& met
   return hn::Add(first.distance, hn::Div(hn::Add(linear, hn::Sqrt(hn::Sub(weight, less))), weight));
 }
 
-// The new magnitude of lanes that mayLower() names; the others keep theirs.
+// The new magnitude of lanes that mayLower() names; the others keep theirs. A call costs nothing that could be
+// measured, and inlining it into every unrolled plane costs minutes of compiling with sanitizers.
 template <bool kIsotropic>
-HWY_INLINE FloatVec lowered(FloatVec magnitude, FloatMask lanes, Upwind a, const VectorMetric& metric) {
+HWY_NOINLINE FloatVec lowered(FloatVec magnitude, FloatMask lanes, Upwind a, const VectorMetric& metric) {
   if constexpr (kIsotropic) a = sorted(a);
   const auto estimate = kIsotropic ? estimateIsotropic(a) : estimateAnisotropic(a, metric);
   auto value = withoutFixedBit(estimate);
