@@ -82,7 +82,7 @@ void addDistanceOptions(CLI::App& app, DistanceRequest& target, const std::strin
         target.solver = parseChoice<DistanceSolver>(
             option, text, {{"godunov", DistanceSolver::godunov}, {"closest", DistanceSolver::closest}});
       },
-      "closest, exact next to the surface, or godunov, the\nfirst-order sweep (default: closest)");
+      "godunov, the first-order sweep, or closest, exact next\nto the surface and slower (default: godunov)");
   group.value(
       "--start", "NAME",
       [&](const std::string& option, const std::string& text) {

@@ -7,7 +7,7 @@ namespace isolume {
 SweepOptions distanceMethod(const DistanceRequest& request, VisibilityStorage storage, DistanceExtent defaultExtent) {
   SweepOptions options;
   options.visibility = storage;
-  options.solver = request.solver.value_or(DistanceSolver::closest);
+  options.solver = request.solver.value_or(DistanceSolver::godunov);
   options.extent = request.extent.value_or(defaultExtent);
   if (options.solver == DistanceSolver::godunov) {
     options.start = request.start.value_or(DistanceStart::better);

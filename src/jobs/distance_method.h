@@ -9,7 +9,7 @@
 namespace isolume {
 
 struct DistanceRequest {
-  std::optional<DistanceSolver> solver;
+  std::optional<DistanceSolver> solver;  ///< default: godunov, which is faster; pictures look the same
   std::optional<DistanceStart> start;    ///< of godunov alone; default: better
   std::optional<DistanceExtent> extent;  ///< default: the job's
 };
