@@ -1,5 +1,6 @@
 // Saved fields: what they hold, and that drawing from them is drawing from the volume.
 #include <gmock/gmock.h>
+#include <filesystem>
 
 #include <nlohmann/json.hpp>
 
@@ -59,6 +60,34 @@ TEST_F(Fields, HoldTheDistanceOfTheSolver) {
   EXPECT_THAT(metadata(readImage(path("direct.exr")), "isolume:settings"), HasSubstr("--solver closest"));
 }
 
+TEST_F(Fields, HoldTheStartOfTheSweep) {
+  // --start changes the picture, --extent does not: visibility needs no distance beyond the band.
+  const auto draw = [&](const std::vector<std::string>& options, const std::string& name) {
+    std::vector<std::string> words{"render", "corner.vdb", "--isovalue", "0.01",     "--inside",
+                                   "below",  "--size",     "20x20",      "--layers", "all"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.insert(words.end(), {"-o", name});
+    runWell(words);
+    return readImage(path(name));
+  };
+  const Image band = draw({"--solver", "closest"}, "band.exr");
+  EXPECT_TRUE(sameBits(band, draw({"--solver", "closest", "--extent", "full"}, "full.exr")));
+  const Image better = draw({}, "better.exr");
+  const Image paper = draw({"--start", "paper"}, "paper.exr");
+  EXPECT_FALSE(sameBits(better, paper));
+  EXPECT_TRUE(sameBits(better, draw({"--solver", "godunov", "--start", "better", "--extent", "band"}, "said.exr")));
+  EXPECT_THAT(metadata(paper, "isolume:settings"), HasSubstr("--solver godunov --start paper --extent band"));
+}
+
+TEST_F(Fields, RefuseAStartThatTheSolverDoesNotHave) {
+  // Closest points start from no distances: --start beside them is a usage error that says so, and nothing is written.
+  const Outcome outcome = run({"render", "corner.vdb", "--isovalue", "0.01", "--inside", "below", "--solver", "closest",
+                               "--start", "paper", "-o", "refused.png"});
+  EXPECT_EQ(outcome.exitCode, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--start: expected --solver godunov"));
+  EXPECT_FALSE(std::filesystem::exists(path("refused.png")));
+}
+
 TEST_F(Fields, HaveTheirStagesInTheReport) {
   // Making fields reads, sweeps and writes, and draws nothing.
   const auto report = nlohmann::json::parse(fileBytes(path("fields.json")));
@@ -70,8 +99,12 @@ TEST_F(Fields, HaveTheirStagesInTheReport) {
 
 TEST_F(Fields, LeaveNoChoiceOfSurface) {
   // Options that choose another surface, and sweeping fields again, are usage errors that name the file.
-  for (const auto& [option, value] :
-       {std::pair{"--isovalue", "0.2"}, {"--inside", "above"}, {"--grid", "distance"}, {"--solver", "closest"}}) {
+  for (const auto& [option, value] : {std::pair{"--isovalue", "0.2"},
+                                      {"--inside", "above"},
+                                      {"--grid", "distance"},
+                                      {"--solver", "closest"},
+                                      {"--start", "paper"},
+                                      {"--extent", "full"}}) {
     const Outcome outcome = run({"render", "f.vdb", option, value, "-o", "out.png"});
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_THAT(outcome.err, HasSubstr(option));
