@@ -9,7 +9,7 @@
 #include "clearance.h"
 #include "gl_check.h"
 #include "gpu_error.h"
-#include "half.h"
+#include "sweep/half.h"
 #include "sweep/parallel.h"
 #include "textures.h"
 
@@ -26,7 +26,7 @@ void checkSize(const char* what, glm::ivec3 size, glm::ivec3 expected) {
 // Distances in units of the smallest spacing as half floats.
 std::vector<std::uint16_t> packDistance(GridView<const float> distance) {
   std::vector<std::uint16_t> out(distance.count());
-  const auto toUnits = static_cast<float>(1 / std::min({distance.spacing.x, distance.spacing.y, distance.spacing.z}));
+  const auto toUnits = static_cast<float>(1 / smallestSpacing(distance.spacing));
   const auto plane = static_cast<std::size_t>(distance.strideZ());
   parallelFor(static_cast<std::size_t>(distance.size.z), [&](std::size_t z) {
     const float* from = distance.data + z * plane;

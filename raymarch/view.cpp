@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "gpu_error.h"
+#include "sweep/grid.h"
 
 namespace isolume {
 namespace {
@@ -49,7 +50,7 @@ GridFrame makeGridFrame(const glm::dmat4& worldFromGrid) {
     }
   }
   frame.gridFromWorld = glm::inverse(worldFromGrid);
-  frame.smallestSpacing = std::min({frame.spacing.x, frame.spacing.y, frame.spacing.z});
+  frame.smallestSpacing = smallestSpacing(frame.spacing);
   return frame;
 }
 

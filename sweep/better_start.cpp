@@ -18,6 +18,9 @@ using FloatTag = hn::ScalableTag<float>;
 using FloatVec = hn::Vec<FloatTag>;
 using FloatMask = hn::Mask<FloatTag>;
 
+// Vec3 and dot() are other functions in other files of this namespace.
+namespace {
+
 constexpr int kMaxLanes = static_cast<int>(hn::MaxLanes(FloatTag()));
 constexpr int kNewtonSteps = 2;  // the first from the sample itself; a third gains nothing (.0017 voxels either way)
 // How far a foot may lie outside its cell, in spacings: there f is only the extension of the cell's polynomial.
@@ -160,6 +163,8 @@ FloatVec newtonDistance(const Batch& batch, glm::vec3 h, const AxisStart& start)
   }
   return hn::IfThenElse(believed, distance, start.three);
 }
+
+}  // namespace
 
 void betterStartRowOnTarget(GridView<const float> level, glm::vec3 spacing, int y, int z, float* row) {
   const FloatTag d;

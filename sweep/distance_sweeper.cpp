@@ -24,15 +24,8 @@ void DistanceSweeper::sweepPair(int pair, std::array<VisibilityTarget, 2> target
   }
   const auto firstOctant = static_cast<std::size_t>(2 * pair);
 
-  const auto visitRows = [&](const Tile& tile, const RowHook& hook) {
-    if (!hook) return;
-    const int firstY = tile.block * tiles_.lanes, firstZ = tile.layer * kTilePlanes;
-    for (int z = firstZ; z < std::min(firstZ + kTilePlanes, tiles_.size.z); ++z)
-      for (int y = firstY; y < std::min(firstY + tiles_.lanes, tiles_.size.y); ++y) hook(y, z);
-  };
-
   sweepWavefront(tiles_, kOctants[firstOctant], [&](const Tile& tile) {
-    visitRows(tile, before);
+    if (before) tiles_.forEachRow(tile.block, tile.layer, before);
     const std::size_t index = tiles_.index(tile.block, tile.layer);
     for (std::size_t k = 0; k < 2; ++k) {
       const Octant& octant = kOctants[firstOctant + k];
@@ -63,7 +56,7 @@ void DistanceSweeper::sweepPair(int pair, std::array<VisibilityTarget, 2> target
       if (target.as8 != nullptr) storeTile(walk, origin, whole, buffers.visibility, target.as8);
       if (target.asFloat != nullptr) storeTile(walk, origin, whole, buffers.visibility, target.asFloat);
     }
-    visitRows(tile, after);
+    if (after) tiles_.forEachRow(tile.block, tile.layer, after);
   });
   sweep_ += 2;
 }

@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "half.h"
 #include "lower_bound.h"
 #include "parallel.h"
 
@@ -61,7 +62,7 @@ Largest largestOfPlane(GridView<const float> level, GridView<const T> field, glm
 
 template <class T>
 FieldBound certify(GridView<const float> level, GridView<const T> field) {
-  const double smallest = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
+  const double smallest = smallestSpacing(level.spacing);
   const glm::dvec3 inverse = smallest / level.spacing;
   std::vector<Largest> planes(static_cast<std::size_t>(level.size.z - 1));
   parallelFor(planes.size(),

@@ -5,6 +5,7 @@
 // reflection) is the business of whoever holds a worldFromGrid matrix; distances need the spacing alone.
 #pragma once
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -18,6 +19,9 @@ namespace isolume {
 inline std::size_t voxelCount(glm::ivec3 size) {
   return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(size.z);
 }
+
+/// The length that the numerics take as their unit ("voxel").
+inline double smallestSpacing(glm::dvec3 spacing) { return std::min({spacing.x, spacing.y, spacing.z}); }
 
 /// Borrowed dense grid. Copying copies the pointer. Thread-safe for reading.
 template <class T>

@@ -15,8 +15,7 @@ LightSweeper::LightSweeper(GridView<const float> distance)
 void LightSweeper::sweepPair(int pair, std::array<VisibilityTarget, 2> targets) {
   const int nx = tiles_.size.x;
   const TileSpan whole{0, nx};
-  const glm::dvec3 h = distance_.spacing;
-  const auto smallest = static_cast<float>(std::min({h.x, h.y, h.z}));
+  const auto smallest = static_cast<float>(smallestSpacing(distance_.spacing));
   const Handover outside(rowFloats(nx, tiles_.lanes));
   for (auto& blocks : blocks_)
     for (BlockBuffers& block : blocks) block.carried.reset();

@@ -5,24 +5,20 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "light_update-inl.h"
 #include "surface_start.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using FloatTag = hn::ScalableTag<float>;
-using FloatVec = hn::Vec<FloatTag>;
-
-// [Singh10] Eq. 7 with h = the smallest spacing.
-HWY_INLINE FloatVec transmittance(FloatVec distance, FloatVec perSmallest) {
+// The distance as the sweep has it at a fixed value.
+HWY_INLINE FloatVec fixedDistance(FloatVec distance, FloatVec perSmallest) {
   const FloatTag d;
   const hn::RebindToUnsigned<FloatTag> du;
   // From 1/2 on all light passes: 2 stands for all larger magnitudes, infinity too.
   const auto magnitude = hn::Min(hn::Mul(hn::Abs(distance), perSmallest), hn::Set(d, 2.0F));
   const auto fixed = hn::BitCast(d, hn::Or(hn::BitCast(du, magnitude), hn::Set(du, kFixedBit)));
-  const auto ramp = hn::Add(hn::CopySignToAbs(fixed, distance), hn::Set(d, 0.5F));
-  return hn::Min(hn::Max(ramp, hn::Zero(d)), hn::Set(d, 1.0F));
+  return hn::CopySignToAbs(fixed, distance);
 }
 
 void sweepLightTileOnTarget(const LightBuffers& buffers, const SweepMetric& metric, float smallestSpacing, int nx) {
@@ -30,9 +26,7 @@ void sweepLightTileOnTarget(const LightBuffers& buffers, const SweepMetric& metr
   const hn::RebindToSigned<FloatTag> di;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto perSmallest = hn::Set(d, 1 / smallestSpacing);
-  const auto weightX = hn::Set(d, metric.weights.x);
-  const auto weightY = hn::Set(d, metric.weights.y);
-  const auto weightZ = hn::Set(d, metric.weights.z);
+  const LightWeights weights = lightWeights(metric);
   const auto lane0 = hn::FirstN(d, 1);
   const auto lastLane = hn::Not(hn::FirstN(d, static_cast<std::size_t>(lanes) - 1));
   const auto up = hn::IndicesFromVec(d, hn::Max(hn::Sub(hn::Iota(di, 0), hn::Set(di, 1)), hn::Zero(di)));
@@ -56,12 +50,9 @@ void sweepLightTileOnTarget(const LightBuffers& buffers, const SweepMetric& metr
       const auto below = p == 0 ? hn::Load(d, buffers.carriedLight + at) : previous[p == 0 ? 0 : p - 1];
       const auto beside =
           hn::IfThenElse(lane0, hn::Set(d, buffers.rowLight[atRow]), hn::TableLookupLanes(previous[p], up));
-      // [Singh10] Eq. 6: the neighbours' V tau, weighted.
-      const auto sum =
-          hn::Add(hn::Add(hn::Mul(weightX, previous[p]), hn::Mul(weightY, beside)), hn::Mul(weightZ, below));
-      const auto visibility = hn::IfThenElseZero(hn::Ge(sum, hn::Set(d, kDarkest)), sum);
+      const auto visibility = arrivingLight(weights, previous[p], beside, below);
       const auto distance = hn::Load(d, buffers.distance + p * planeStride + at);
-      const auto leaving = hn::Mul(visibility, transmittance(distance, perSmallest));
+      const auto leaving = hn::Mul(visibility, transmittance(fixedDistance(distance, perSmallest)));
       previous[p] = leaving;
       hn::Store(visibility, d, buffers.visibility + p * planeStride + at);
       // The last lane is lanes - 1 voxels behind; a masked store puts it where its x is.

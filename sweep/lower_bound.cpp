@@ -17,8 +17,6 @@ constexpr int kBlock = 64;
 // Looking whether it may end costs as much as eight steps of it, which are vectorised.
 constexpr int kLookEvery = 8;
 
-glm::dvec3 spacingInVoxels(glm::dvec3 spacing) { return spacing / std::min({spacing.x, spacing.y, spacing.z}); }
-
 // Squares of the gap between boxes 0, 1, 2, ... cells apart, up to the first that is out of reach.
 std::vector<float> squaredGaps(double spacing) {
   std::vector<float> gaps{0};
@@ -78,7 +76,7 @@ void spreadAcross(const float* lines, std::size_t stride, int count, int width, 
 
 Grid<float> cellLowerBound(GridView<const float> level) {
   const glm::ivec3 cells = level.size - 1;
-  const glm::dvec3 spacing = spacingInVoxels(level.spacing);
+  const glm::dvec3 spacing = level.spacing / smallestSpacing(level.spacing);
   const std::vector<float> gapsX = squaredGaps(spacing.x), gapsY = squaredGaps(spacing.y),
                            gapsZ = squaredGaps(spacing.z);
   Grid<float> bound(cells, level.spacing, level.origin);

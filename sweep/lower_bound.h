@@ -28,7 +28,6 @@
 // everywhere, and any field is a bound. Thread-safe; bitwise the same for any number of threads and any SIMD width.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
 
@@ -62,25 +61,5 @@ struct FieldBound {
 FieldBound certifyField(GridView<const float> level, GridView<const float> field);
 /// The same for half-precision values, so that their rounding is part of what is measured.
 FieldBound certifyField(GridView<const float> level, GridView<const std::uint16_t> field);
-
-/// The largest IEEE half that is at most `value` >= 0; below the smallest normal half (6.1e-5) 0.
-inline std::uint16_t halfBelow(float value) {
-  constexpr std::uint32_t kLargest = 0x477fe000U;         // 65504 as float
-  constexpr std::uint32_t kSmallestNormal = 0x38800000U;  // 2^-14
-  constexpr std::uint32_t kRebias = (127U - 15U) << 23;
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  const std::uint32_t limited = bits < kLargest ? bits : kLargest;
-  return static_cast<std::uint16_t>(limited < kSmallestNormal ? 0 : (limited - kRebias) >> 13);
-}
-
-/// Exact. `half` finite.
-inline float floatFromHalf(std::uint16_t half) {
-  constexpr std::uint32_t kMagnitude = 0x7fff;
-  // Exponents are moved by multiplication, which normalises subnormals too.
-  constexpr float kRebias = 0x1p112F;
-  const std::uint32_t bits = half;
-  const float magnitude = std::bit_cast<float>((bits & kMagnitude) << 13) * kRebias;
-  return (bits & ~kMagnitude) != 0 ? -magnitude : magnitude;
-}
 
 }  // namespace isolume

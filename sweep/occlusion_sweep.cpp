@@ -14,8 +14,6 @@
 namespace isolume {
 namespace {
 
-float smallestOf(glm::dvec3 spacing) { return static_cast<float>(std::min({spacing.x, spacing.y, spacing.z})); }
-
 // From the sweep's units and tags to world units; what was never reached is infinitely far.
 void finishRow(float* row, int count, float smallestSpacing) {
   for (int x = 0; x < count; ++x) {
@@ -82,7 +80,7 @@ SweptFields sweepWholeDomain(GridView<const float> level, const SweepOptions& op
   SweptFields fields;
   fields.distance = Grid<float>(level.size, level.spacing, level.origin);
   const GridView<float> distance = fields.distance.view();
-  const float smallest = smallestOf(level.spacing);
+  const auto smallest = static_cast<float>(smallestSpacing(level.spacing));
   const auto rowOf = [&](int y, int z) { return distance.data + z * distance.strideZ() + y * distance.strideY(); };
   const RowHook start = [&](int y, int z) { startRow(level, options.start, kUnsetDistance, y, z, rowOf(y, z)); };
   const RowHook finish = [&](int y, int z) { finishRow(rowOf(y, z), level.size.x, smallest); };
@@ -109,7 +107,7 @@ SweptFields sweepWholeDomain(GridView<const float> level, const SweepOptions& op
 Grid<float> sweepBand(GridView<const float> level, const SweepOptions& options) {
   Grid<float> grid(level.size, level.spacing, level.origin);
   const GridView<float> distance = grid.view();
-  const float smallest = smallestOf(level.spacing);
+  const auto smallest = static_cast<float>(smallestSpacing(level.spacing));
   const auto bound = static_cast<float>(options.bandVoxels + 1);
   const auto rowOf = [&](int y, int z) { return distance.data + z * distance.strideZ() + y * distance.strideY(); };
 
@@ -132,13 +130,12 @@ Grid<float> sweepBand(GridView<const float> level, const SweepOptions& options) 
   for (int round = 0; round < options.rounds; ++round)
     if (!sweeper.sweepRound(&spans)) break;
 
-  parallelFor(tiles.count(), [&](std::size_t index) {
-    if (spans[index].empty() && smallest == 1) return;  // the bound needs no change
-    const int firstY = static_cast<int>(index % static_cast<std::size_t>(tiles.blocks)) * tiles.lanes;
-    const int firstZ = static_cast<int>(index / static_cast<std::size_t>(tiles.blocks)) * kTilePlanes;
-    for (int z = firstZ; z < std::min(firstZ + kTilePlanes, level.size.z); ++z)
-      for (int y = firstY; y < std::min(firstY + tiles.lanes, level.size.y); ++y)
-        finishRow(rowOf(y, z), level.size.x, smallest);
+  parallelFor(static_cast<std::size_t>(tiles.layers), [&](std::size_t plane) {
+    const int layer = static_cast<int>(plane);
+    for (int block = 0; block < tiles.blocks; ++block) {
+      if (spans[tiles.index(block, layer)].empty() && smallest == 1) continue;  // the bound needs no change
+      tiles.forEachRow(block, layer, [&](int y, int z) { finishRow(rowOf(y, z), level.size.x, smallest); });
+    }
   });
   return grid;
 }

@@ -97,7 +97,7 @@ HWY_EXPORT(startInnerRow);
 
 bool startRow(GridView<const float> level, DistanceStart start, float unset, int y, int z, float* row) {
   const glm::ivec3 size = level.size;
-  const glm::vec3 spacing(level.spacing / std::min({level.spacing.x, level.spacing.y, level.spacing.z}));
+  const glm::vec3 spacing(level.spacing / smallestSpacing(level.spacing));
   const std::ptrdiff_t strideY = level.strideY();
   const std::ptrdiff_t strideZ = level.strideZ();
   const float* here = level.data + z * strideZ + y * strideY;

@@ -7,7 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "light_tile.h"
+#include "light_update-inl.h"
 #include "surface_start.h"
 #include "upwind_update-inl.h"
 
@@ -23,9 +23,7 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
   const hn::RebindToUnsigned<FloatTag> du;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const VectorMetric metric = vectorMetric(gridMetric);
-  const auto weightX = hn::Set(d, gridMetric.weights.x);
-  const auto weightY = hn::Set(d, gridMetric.weights.y);
-  const auto weightZ = hn::Set(d, gridMetric.weights.z);
+  const LightWeights weights = lightWeights(gridMetric);
   const auto lane0 = hn::FirstN(d, 1);
   const auto lastLane = hn::Not(hn::FirstN(d, static_cast<std::size_t>(lanes) - 1));
   const auto up = hn::IndicesFromVec(d, hn::Max(hn::Sub(hn::Iota(di, 0), hn::Set(di, 1)), hn::Zero(di)));
@@ -74,13 +72,8 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
         const auto lightBefore = previousLight[p];
         const auto lightBeside =
             hn::IfThenElse(lane0, hn::Set(d, buffers.rowLight[atRow]), hn::TableLookupLanes(lightBefore, up));
-        // [Singh10] Eq. 6: the neighbours' V tau, weighted.
-        const auto sum = hn::Add(hn::Add(hn::Mul(weightX, lightBefore), hn::Mul(weightY, lightBeside)),
-                                 hn::Mul(weightZ, lightBelow));
-        const auto visibility = hn::IfThenElseZero(hn::Ge(sum, hn::Set(d, kDarkest)), sum);
-        // [Singh10] Eq. 7 with h = the smallest spacing.
-        const auto transmittance = hn::Min(hn::Max(hn::Add(distance, hn::Set(d, 0.5F)), hn::Zero(d)), hn::Set(d, 1.0F));
-        const auto leaving = hn::Mul(visibility, transmittance);
+        const auto visibility = arrivingLight(weights, lightBefore, lightBeside, lightBelow);
+        const auto leaving = hn::Mul(visibility, transmittance(distance));
         previousLight[p] = leaving;
         hn::Store(visibility, d, buffers.visibility + p * planeStride + origin + t * lanes);
         hn::BlendedStore(leaving, lastLane, d, buffers.lastRowLight + atLastRow);
@@ -113,7 +106,7 @@ HWY_EXPORT(sweepTileOnTarget);
 int tileLanes() { return HWY_DYNAMIC_DISPATCH(lanesOfTarget)(); }
 
 SweepMetric makeSweepMetric(glm::dvec3 spacing) {
-  const double smallest = std::min({spacing.x, spacing.y, spacing.z});
+  const double smallest = smallestSpacing(spacing);
   const glm::dvec3 h = spacing / smallest;
   SweepMetric metric;
   metric.spacing = glm::vec3(h);

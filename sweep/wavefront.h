@@ -6,6 +6,7 @@
 // last tile in +y (+z) has empty lanes (planes), whichever way it is swept.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <glm/vec3.hpp>
 
@@ -28,6 +29,13 @@ struct TileGrid {
   std::size_t count() const { return static_cast<std::size_t>(blocks) * static_cast<std::size_t>(layers); }
   std::size_t index(int block, int layer) const {
     return static_cast<std::size_t>(layer) * static_cast<std::size_t>(blocks) + static_cast<std::size_t>(block);
+  }
+  /// Calls visit(y, z) for the rows of the grid that a tile holds.
+  template <class Visit>
+  void forEachRow(int block, int layer, const Visit& visit) const {
+    const int firstY = block * lanes, firstZ = layer * kTilePlanes;
+    for (int z = firstZ; z < std::min(firstZ + kTilePlanes, size.z); ++z)
+      for (int y = firstY; y < std::min(firstY + lanes, size.y); ++y) visit(y, z);
   }
   /// First canonical row and plane of a tile; below 0 where the first lanes or planes are empty.
   TileOrigin origin(const Tile& tile, const Octant& octant) const;

@@ -137,7 +137,7 @@ std::string encodeVdb(GridView<const float> values, const glm::dmat4& worldFromG
                       bool levelSet) {
   // OpenVDB's own half width of a narrow band, in voxels.
   const double bandVoxels = openvdb::LEVEL_SET_HALF_WIDTH;
-  const double smallest = std::min({values.spacing.x, values.spacing.y, values.spacing.z});
+  const double smallest = smallestSpacing(values.spacing);
   const auto band = static_cast<float>(bandVoxels * smallest);
   const auto grid = levelSet ? levelSetVdbGrid(values, worldFromGrid, name, band)
                              : denseVdbGrid(values, worldFromGrid, name, /*background=*/0);

@@ -7,10 +7,10 @@ namespace isolume {
 SweepOptions distanceMethod(const DistanceRequest& request, VisibilityStorage storage, DistanceExtent defaultExtent) {
   SweepOptions options;
   options.visibility = storage;
-  options.solver = request.solver.value_or(DistanceSolver::godunov);
+  options.solver = request.solver.value_or(options.solver);
   options.extent = request.extent.value_or(defaultExtent);
   if (options.solver == DistanceSolver::godunov) {
-    options.start = request.start.value_or(DistanceStart::better);
+    options.start = request.start.value_or(options.start);
   } else if (request.start) {
     throw UsageError("--start: expected --solver godunov beside it, found closest, which has no start values");
   }

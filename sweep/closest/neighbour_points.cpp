@@ -9,22 +9,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "point_vector-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-using FloatTag = hn::CappedTag<float, kBatchGroup>;
-using IntTag = hn::RebindToSigned<FloatTag>;
-using FloatVec = hn::Vec<FloatTag>;
-using IntVec = hn::Vec<IntTag>;
-
-struct Vec3 {
-  FloatVec x, y, z;
-};
-
-HWY_INLINE FloatVec dot(const Vec3& a, const Vec3& b) {
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
 
 HWY_INLINE Vec3 ownPoints(const OffsetField& field, int z, IntVec x, IntVec y) {
   const FloatTag d;
@@ -40,12 +28,8 @@ HWY_INLINE Vec3 ownPoints(const OffsetField& field, int z, IntVec x, IntVec y) {
 }
 
 HWY_INLINE void storePoints(const Vec3& points, PointBatch& batch, std::size_t i) {
-  const FloatTag d;
-  for (auto* to : {&batch.offset, &batch.trial}) {
-    hn::StoreU(points.x, d, (*to)[0].data() + i);
-    hn::StoreU(points.y, d, (*to)[1].data() + i);
-    hn::StoreU(points.z, d, (*to)[2].data() + i);
-  }
+  storeBatch(points, batch.offset, i);
+  storeBatch(points, batch.trial, i);
 }
 
 // Calls offer(candidate, exists) for the neighbours at those steps: their points, as seen from the samples.

@@ -4,15 +4,14 @@
 // separate components (12 bytes per voxel), index order as in grid.h. A sample that has no point yet is unset.
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include "sweep/grid.h"
 
 namespace isolume {
 
-/// First component of an unset offset; the others are 0. Its square fits into a float and adding a step to it changes
-/// nothing, so that a candidate from an unset neighbour is never strictly nearer.
+/// First component of an unset offset; the others may hold anything. Its square fits into a float and adding a step to
+/// it changes nothing, so that a candidate from an unset neighbour is never strictly nearer.
 inline constexpr float kUnsetOffset = 0x1p60F;
 
 struct OffsetField {
@@ -24,10 +23,7 @@ struct OffsetField {
   void set(std::size_t i, glm::vec3 offset) {
     for (int axis = 0; axis < 3; ++axis) component[static_cast<std::size_t>(axis)].data()[i] = offset[axis];
   }
-  bool isSet(std::size_t i) const { return component[0].data()[i] != kUnsetOffset; }
 };
-
-inline double smallestSpacing(glm::dvec3 spacing) { return std::min({spacing.x, spacing.y, spacing.z}); }
 
 /// |offset|^2 with the one rounding order that every part of the solver uses, scalar or vector.
 inline float squaredLength(glm::vec3 offset) {

@@ -8,7 +8,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
-#include "raymarch/half.h"
+#include "sweep/half.h"
 #include "sweep/level.h"
 #include "sweep/parallel.h"
 #include "volumes/scenes.h"

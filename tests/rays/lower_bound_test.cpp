@@ -9,10 +9,10 @@
 #include <limits>
 
 #include "bench/report/closest_distance.h"
-#include "raymarch/half.h"
 #include "reference/random_rays.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
+#include "sweep/half.h"
 #include "sweep/level.h"
 #include "sweep/occlusion_sweep.h"
 #include "sweep/parallel.h"
@@ -34,7 +34,7 @@ SmallGrid randomGrid(std::uint64_t number) {
   Random random(number);
   const glm::ivec3 size(2 + random.below(8), 2 + random.below(8), 2 + random.below(8));
   const glm::dvec3 spacing = random.below(2) == 0 ? glm::dvec3(0.5) : random.pointIn(glm::dvec3(0.5), glm::dvec3(2));
-  SmallGrid grid{noiseLevel(size, spacing, number), spacing / std::min({spacing.x, spacing.y, spacing.z})};
+  SmallGrid grid{noiseLevel(size, spacing, number), spacing / smallestSpacing(spacing)};
   const double shares[] = {0, 0.5, 0.9, 0.98};
   const auto bias = static_cast<float>(shares[random.below(4)]);
   for (std::size_t i = 0; i < grid.level.count(); ++i) grid.level.data()[i] -= bias;
@@ -64,7 +64,7 @@ double interpolatedMagnitude(GridView<const float> field, glm::dvec3 point) {
 }
 
 Grid<float> inVoxels(Grid<float> distance, GridView<const float> level) {
-  const double smallest = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
+  const double smallest = smallestSpacing(level.spacing);
   for (std::size_t i = 0; i < distance.count(); ++i)
     distance.data()[i] = static_cast<float>(distance.data()[i] / smallest);
   return distance;

@@ -101,7 +101,7 @@ float plainUpdate(glm::vec3 neighbours, glm::dvec3 spacing) {
 
 PlainFields plainSweep(GridView<const float> level, int rounds, DistanceStart kind) {
   const glm::ivec3 n = level.size;
-  const double smallest = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
+  const double smallest = smallestSpacing(level.spacing);
   const glm::dvec3 h = level.spacing / smallest;
   State state{level, glm::vec3(h), std::vector<float>(level.count()), std::vector<bool>(level.count())};
   start(state, kind);

@@ -19,7 +19,7 @@ int expectBandIsTheCutField(GridView<const float> level, int bandVoxels, int rou
   options.extent = DistanceExtent::band;
   options.bandVoxels = bandVoxels;
   const SweptFields band = sweepOcclusion(level, options);
-  const auto smallest = static_cast<float>(std::min({level.spacing.x, level.spacing.y, level.spacing.z}));
+  const auto smallest = static_cast<float>(smallestSpacing(level.spacing));
   const float bound = static_cast<float>(bandVoxels + 1) * smallest;
   int cut = 0, wrong = 0;
   for (std::size_t i = 0; i < level.count(); ++i) {

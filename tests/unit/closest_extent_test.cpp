@@ -43,7 +43,7 @@ TEST(ClosestExtent, TheBandIsTheFullSolutionCutAtItsLimit) {
         const Grid<float> level = ball ? cutBall(size, spacing) : specks(size, spacing);
         const Grid<float> full = closestDistance(level.view(), {.bandVoxels = k});
         const Grid<float> band = closestDistance(level.view(), {.extent = DistanceExtent::band, .bandVoxels = k});
-        const auto limit = static_cast<float>((k + 1) * std::min({spacing.x, spacing.y, spacing.z}));
+        const auto limit = static_cast<float>((k + 1) * smallestSpacing(spacing));
         std::size_t near = 0, far = 0;
         for (std::size_t i = 0; i < level.count(); ++i) {
           const float want = std::clamp(full.data()[i], -limit, limit);
@@ -70,7 +70,7 @@ TEST(ClosestExtent, BeyondTheBandTheLimitIsNotAboveTheTrueDistance) {
       const Grid<float> level = ball ? cutBall(size, spacing) : specks(size, spacing);
       const std::vector<double> truth = test::strewnDistance(level.view(), 3);
       for (const int k : {1, 3}) {
-        const double limit = (k + 1) * std::min({spacing.x, spacing.y, spacing.z});
+        const double limit = (k + 1) * smallestSpacing(spacing);
         const Grid<float> band = closestDistance(level.view(), {.extent = DistanceExtent::band, .bandVoxels = k});
         OffsetField field(level.view());
         const BitGrid solved = solveBand(level.view(), k, field);

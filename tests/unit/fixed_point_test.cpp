@@ -98,7 +98,7 @@ TEST(FixedPoint, IsAtMostTheShortestPathAlongTheGridToTheSurface) {
     const auto level = grid.level.view();
     const glm::ivec3 n = level.size;
     // A sample on the surface is kept this far from it, so that zero has a sign (surface_start.h).
-    const double least = 2 * kSmallestDistance * std::min({level.spacing.x, level.spacing.y, level.spacing.z});
+    const double least = 2 * kSmallestDistance * smallestSpacing(level.spacing);
     for (const test::Crossing& crossing : test::crossings(level)) {
       for (int z = 0; z < n.z; ++z)
         for (int y = 0; y < n.y; ++y)

@@ -31,7 +31,7 @@ StartError errorOf(glm::dvec3 spacing, const Distance& exact, const std::functio
                    DistanceStart start) {
   const Grid<float> level = sampleLevel(glm::ivec3(64), spacing, [&](glm::dvec3 p) { return steepen(-exact(p)); });
   const Grid<float> values = startOf(level.view(), start);
-  const double unit = std::min({spacing.x, spacing.y, spacing.z});
+  const double unit = smallestSpacing(spacing);
   StartError error;
   for (int z = 1; z < 63; ++z)
     for (int y = 1; y < 63; ++y)

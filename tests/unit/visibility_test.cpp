@@ -165,7 +165,7 @@ TEST(Visibility, FaithfulModeDarkensAnOpenPlaneByItsDocumentedBias) {
 // [Singh10] Eq. 6 and 7 through given distances, in plain loops: light enters at the border.
 std::vector<double> plainVisibility(GridView<const float> distance, glm::ivec3 sign) {
   const glm::ivec3 n = distance.size;
-  const double smallest = std::min({distance.spacing.x, distance.spacing.y, distance.spacing.z});
+  const double smallest = smallestSpacing(distance.spacing);
   const glm::dvec3 weight =
       (1.0 / distance.spacing) / (1 / distance.spacing.x + 1 / distance.spacing.y + 1 / distance.spacing.z);
   std::vector<double> visibility(distance.count());
@@ -211,7 +211,7 @@ TEST(Visibility, AloneItIsEquationSixThroughTheGivenDistances) {
 // The same in float and in the order of the vectorised sweep.
 std::vector<float> plainVisibilityInFloat(GridView<const float> distance, glm::ivec3 sign) {
   const glm::ivec3 n = distance.size;
-  const double smallest = std::min({distance.spacing.x, distance.spacing.y, distance.spacing.z});
+  const double smallest = smallestSpacing(distance.spacing);
   const glm::dvec3 h = distance.spacing / smallest;
   const double inverseSum = 1 / h.x + 1 / h.y + 1 / h.z;
   glm::vec3 weight(1 / h.x / inverseSum, 1 / h.y / inverseSum, 0);

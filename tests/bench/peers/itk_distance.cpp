@@ -39,7 +39,7 @@ SolverOrGap itkMaurerSolver(GridView<const float> level, int threads) {
   itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(static_cast<itk::ThreadIdType>(threads));
   using Filter = itk::SignedMaurerDistanceMapImageFilter<Mask, Field>;
   const auto filter = Filter::New();
-  filter->SetInput(maskOf(level, std::min({level.spacing.x, level.spacing.y, level.spacing.z})));
+  filter->SetInput(maskOf(level, smallestSpacing(level.spacing)));
   filter->SquaredDistanceOff();
   filter->UseImageSpacingOn();
   filter->SetNumberOfWorkUnits(static_cast<itk::ThreadIdType>(threads));

@@ -39,7 +39,7 @@ void addVolumeOptions(CLI::App& app, VolumeRequest& target) {
 
 JudgedVolume readJudgedVolume(const VolumeRequest& request, const RunOptions& run) {
   const Solid solid = solidOf(request, run);
-  const glm::dvec3 scale = solid.spacing / std::min({solid.spacing.x, solid.spacing.y, solid.spacing.z});
+  const glm::dvec3 scale = solid.spacing / smallestSpacing(solid.spacing);
   JudgedVolume volume{Grid<float>(solid.level.size(), scale), {}};
   std::copy_n(solid.level.data(), solid.level.count(), volume.level.data());
   const glm::ivec3 last = solid.level.size() - 1;

@@ -18,7 +18,7 @@ constexpr double kOnBorder = 1e-4;
 }  // namespace
 
 RayJudge::RayJudge(GridView<const float> level) : tracer_(level), high_(level.size - 1) {
-  scale_ = level.spacing / std::min({level.spacing.x, level.spacing.y, level.spacing.z});
+  scale_ = level.spacing / smallestSpacing(level.spacing);
   const glm::dvec3 sides = high_ * scale_;
   sideways_ = kSidewaysRounding * std::max({sides.x, sides.y, sides.z});
 }

@@ -15,10 +15,10 @@
 #include <limits>
 #include <numeric>
 
-#include "raymarch/half.h"
 #include "src/cli/surface_options.h"
 #include "src/jobs/reference_camera.h"
 #include "sweep/closest/closest_distance.h"
+#include "sweep/half.h"
 #include "sweep/occlusion_sweep.h"
 #include "sweep/parallel.h"
 #include "tests/bench/rays/judged_volume.h"

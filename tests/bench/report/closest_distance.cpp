@@ -97,7 +97,7 @@ Corners cornerValues(GridView<const float> level, const Box& box) {
 }  // namespace
 
 ClosestDistance::ClosestDistance(GridView<const float> level) : level_(level) {
-  spacing_ = level.spacing / std::min({level.spacing.x, level.spacing.y, level.spacing.z});
+  spacing_ = level.spacing / smallestSpacing(level.spacing);
   Blocks cells;
   cells.size = level.size - 1;
   cells.mixed.reserve(voxelCount(cells.size));

@@ -11,7 +11,7 @@ namespace {
 DistanceSolver makeSolver(const std::string& name, const std::string& call, const SweepOptions& options,
                           GridView<const float> level) {
   const auto fields = std::make_shared<SweptFields>();
-  const double unit = std::min({level.spacing.x, level.spacing.y, level.spacing.z});
+  const double unit = smallestSpacing(level.spacing);
   const auto solve = [level, fields, options] {
     *fields = {};
     *fields = sweepOcclusion(level, options);

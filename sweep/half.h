@@ -1,4 +1,4 @@
-// Rounding float to IEEE half precision (GL_R16F).
+// Between float and IEEE half precision (GL_R16F).
 #pragma once
 
 #include <bit>
@@ -23,6 +23,26 @@ inline std::uint16_t halfFromFloat(float value) {
                                   std::bit_cast<std::uint32_t>(kSubnormalMagic);
   const std::uint32_t half = limited < kSmallestNormal ? subnormal : normal;
   return static_cast<std::uint16_t>(((bits >> 16) & 0x8000u) | half);
+}
+
+/// The largest IEEE half that is at most `value` >= 0; below the smallest normal half (6.1e-5) 0.
+inline std::uint16_t halfBelow(float value) {
+  constexpr std::uint32_t kLargest = 0x477fe000U;         // 65504 as float
+  constexpr std::uint32_t kSmallestNormal = 0x38800000U;  // 2^-14
+  constexpr std::uint32_t kRebias = (127U - 15U) << 23;
+  const auto bits = std::bit_cast<std::uint32_t>(value);
+  const std::uint32_t limited = bits < kLargest ? bits : kLargest;
+  return static_cast<std::uint16_t>(limited < kSmallestNormal ? 0 : (limited - kRebias) >> 13);
+}
+
+/// Exact. `half` finite.
+inline float floatFromHalf(std::uint16_t half) {
+  constexpr std::uint32_t kMagnitude = 0x7fff;
+  // Exponents are moved by multiplication, which normalises subnormals too.
+  constexpr float kRebias = 0x1p112F;
+  const std::uint32_t bits = half;
+  const float magnitude = std::bit_cast<float>((bits & kMagnitude) << 13) * kRebias;
+  return (bits & ~kMagnitude) != 0 ? -magnitude : magnitude;
 }
 
 }  // namespace isolume
