@@ -1,0 +1,32 @@
+// Openness of the surface, A = (1 / pi) integral of V(w) max(N . w, 0) dw ([Singh10] Eq. 2, normalised: an open point
+// gives 1), by ordinates: directions of equal weight (ordinate_set.h), each swept through the whole grid as parallel
+// rays, one bit per ray (sheared_rays.h).
+//
+// Where [Singh10] carries one value per octant, whose mixing of neighbours is diffusion along the way (Eq. 6), here
+// nothing mixes: V is 0 or 1, so that the error falls with the number of ordinates, K^-3/4, until the lattice's steps
+// show. Each point is lifted off the surface so far that the steps of its own plane cannot meet it.
+//
+// Result: a value for each sample next to the surface (surface_feet.h), to be interpolated at points of the surface.
+// Elsewhere 0. Bitwise the same for any number of threads and any SIMD width.
+#pragma once
+
+#include <cstdint>
+
+#include "sweep/grid.h"
+
+namespace isolume {
+
+inline constexpr int kLeastOrdinates = 8, kMostOrdinates = 4096;
+
+struct OrdinateOptions {
+  int ordinates = 512;  ///< directions over the whole sphere
+  int refinement = 2;   ///< lattice points per voxel along each axis, 1 or 2
+};
+
+/// Openness in units of 1 / 65535. `level` as of makeLevel(), `distance` exact next to its surface.
+/// Memory: result 2 B per voxel; while it runs refinement^3 / 4 B per voxel, 96 B per point of the surface and
+/// 4 B more of these per thread.
+Grid<std::uint16_t> sweepOpenness(GridView<const float> level, GridView<const float> distance,
+                                  const OrdinateOptions& options = {});
+
+}  // namespace isolume

@@ -1,0 +1,56 @@
+// Feet of the surface in the order in which rays along one axis meet them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solid_lattice.h"
+#include "surface_feet.h"
+
+namespace isolume {
+
+/// Which axes of the lattice are bits, rows and layers. Values 0, 1, 2.
+struct RayAxes {
+  int bit = 0, row = 1, layer = 2;
+};
+/// For rays along each axis: by layers of x, y, z.
+inline constexpr std::array<RayAxes, 3> kRayAxes{{{1, 2, 0}, {0, 2, 1}, {0, 1, 2}}};
+
+/// Positions lie at most that far beyond the lattice, in its points.
+inline constexpr float kBeyondLattice = 1.9F;
+
+/// 28 bytes per point. The six arrays of numbers are longer than `count` by a vector of any width.
+class RayPoints {
+ public:
+  /// For up to `count` points.
+  explicit RayPoints(std::size_t count);
+
+  /// Points in groups of a layer (that at or below them), and within a layer by the signs of their normals, so that
+  /// those that face away from a direction stand together. A position is the foot lifted along its normal by `lift`
+  /// of the lattice cell's width in that direction. A counting sort in fixed chunks: the order does not depend on the
+  /// number of threads. Threaded.
+  void sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, double lift,
+            int axis);
+
+  std::size_t count() const { return count_; }
+  const float* bit() const { return values(0); }  ///< position, lattice points
+  const float* row() const { return values(1); }
+  const float* layer() const { return values(2); }
+  const float* normalBit() const { return values(3); }  ///< unit, world units
+  const float* normalRow() const { return values(4); }
+  const float* normalLayer() const { return values(5); }
+  const std::uint32_t* foot() const { return feet_.get(); }  ///< number of each point's foot
+  /// The points of a layer are [begin(layer), begin(layer + 1)); layer -1 holds those before the first.
+  std::size_t begin(int layer) const { return layerBegin_[static_cast<std::size_t>(layer + 1)]; }
+
+ private:
+  float* values(int i) const { return values_.get() + static_cast<std::size_t>(i) * stride_; }
+
+  std::size_t count_, stride_;
+  LargeArray<float> values_;
+  LargeArray<std::uint32_t> feet_;
+  std::vector<std::size_t> layerBegin_;
+};
+
+}  // namespace isolume

@@ -1,0 +1,46 @@
+// Parallel rays of one direction through a lattice of bits, all at once: one bit per ray, 256 rays per instruction.
+//
+// Take a direction w and the axis m along which it crosses most layers, so that from layer to layer a ray moves by
+// slopes |s| <= 1 along the other two axes b (bits) and r (rows). In layer k the ray with number (u, v) passes
+// (u + s_b k, v + s_r k), and meets the lattice point to which that rounds: offset o(k) = floor(s k + 1/2), the same
+// for all rays. So with B_k(x) = whether anything is met from point x of layer k on, towards the light,
+//   B_k(x) = S_k(x) or B_k'(x + o(k') - o(k)),   k' = the layer before k in the order of the sweep,
+// which is a shift by at most one bit and one row, an OR and nothing else. Beyond the lattice all is open.
+// A point q between two layers reads the ray that passes closest to it in the next layer towards the light, and is met
+// by at most one lattice point to each side of the true ray: half a point by the choice of the ray, half by its
+// rounding.
+//
+// Cost: one OR per lattice point and ordinate, 1/256 instruction each; a point's reading is a gather. State: one layer
+// of bits per ordinate.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ray_points.h"
+#include "solid_lattice.h"
+
+namespace isolume {
+
+/// The lattice's bits as rays along one axis read them.
+struct LatticeLayers {
+  const std::uint64_t* data = nullptr;
+  int length = 0, rows = 0, layers = 0, words = 0;
+  std::ptrdiff_t rowStride = 0, layerStride = 0;  ///< words
+};
+LatticeLayers layersOf(const SolidLattice& lattice, int axis);
+
+/// One direction towards the light, its components in the order of the axes.
+struct RayDirection {
+  float weightBit = 0, weightRow = 0, weightLayer = 0;  ///< unit vector, world units: what N is multiplied with
+  double slopeBit = 0, slopeRow = 0;                    ///< lattice points per layer
+};
+
+inline constexpr int kRayGroup = 16;  ///< directions that are swept at a time
+/// Sweeps up to kRayGroup directions with w_layer > 0 (towards = 1) or < 0 (-1) and adds to sums[i] for each point i
+/// what of the clamped cosine is blocked: round(scale * sum of max(N . w, 0) over the directions that meet something).
+/// `sums` is longer than the points by a vector.
+void sweepRays(const LatticeLayers& lattice, int towards, const std::vector<RayDirection>& directions,
+               const RayPoints& points, float scale, std::int32_t* sums);
+
+}  // namespace isolume
