@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -41,8 +42,11 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.normals == NormalSource::distance && scene.distance.name() == 0) {
     throw GpuError("render: expected a distance texture for normals from the distance, found a scene without it");
   }
-  if (settings.shading == Shading::occlusion && !scene.hasOctants()) {
-    throw GpuError("render: expected octants for shading by occlusion, found a scene without them");
+  if (settings.shading == Shading::octants && !scene.hasOctants()) {
+    throw GpuError("render: expected octants for shading by them, found a scene without them");
+  }
+  if (settings.shading == Shading::openness && !scene.hasOpenness()) {
+    throw GpuError("render: expected openness for shading by it, found a scene without it");
   }
 }
 
@@ -52,10 +56,8 @@ shader::FrameUniforms makeUniforms(const Camera& camera, const RenderSettings& s
   uniforms.scale.w = settings.occlusionOffsetVoxels;
   uniforms.albedo = glm::vec4(settings.albedo, 1 / settings.gamma);
   uniforms.background = glm::vec4(glm::vec3(settings.background) * settings.background.a, settings.background.a);
-  const bool octants = scene.hasOctants() && (settings.shading == Shading::occlusion || settings.layers);
-  uniforms.gridSize = glm::ivec4(scene.size, octants ? 1 : 0);
-  uniforms.modes =
-      glm::ivec4(settings.shading == Shading::local ? 1 : 0, settings.normals == NormalSource::distance ? 1 : 0, 0, 0);
+  uniforms.gridSize = glm::ivec4(scene.size, 0);
+  uniforms.modes = glm::ivec4(settings.normals == NormalSource::distance ? 1 : 0, 0, 0, 0);
   return uniforms;
 }
 
@@ -89,10 +91,23 @@ void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::
 
 }  // namespace
 
-constexpr GLuint kBeamUnit = 7;  // after the textures of the scene
+constexpr GLuint kSwept0Unit = 3;  // after level, clearance and distance: octants and geometry terms, or openness
+constexpr GLuint kBeamUnit = 7;
+
+const char* variantName(Shading shading) {
+  switch (shading) {
+    case Shading::octants:
+      return "march_octants";
+    case Shading::openness:
+      return "march_openness";
+    case Shading::local:
+      return "march_local";
+  }
+  return nullptr;
+}
 
 struct Renderer::Impl {
-  GlProgram program;
+  std::array<GlProgram, 3> programs;  // by shading, each built when it is first needed
   GlBuffer uniformBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
   std::array<GlTexture, 2> geometryTerms;  // made with the first scene that has octants
@@ -101,20 +116,31 @@ struct Renderer::Impl {
   BeamPass beams;
 
   Impl() {
-    const ProgramVariant& march = programVariant("march");
-    program = buildProgram(march.vertex, march.fragment);
     glNamedBufferStorage(uniformBuffer.name(), sizeof(shader::FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
     checkGl("renderer");
   }
 
-  void bindInputs(const shader::FrameUniforms& uniforms) const {
+  const GlProgram& program(Shading shading) {
+    GlProgram& built = programs[static_cast<std::size_t>(shading)];
+    if (built.name() == 0) {
+      const ProgramVariant& variant = programVariant(variantName(shading));
+      built = buildProgram(variant.vertex, variant.fragment);
+    }
+    return built;
+  }
+
+  void bindInputs(const shader::FrameUniforms& uniforms, Shading shading) const {
     glNamedBufferSubData(uniformBuffer.name(), 0, sizeof(uniforms), &uniforms);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniformBuffer.name());
     glBindVertexArray(vertexArray.name());
-    const std::array<GLuint, 7> textures{scene.level.name(),      scene.clearance.name(),  scene.distance.name(),
-                                         scene.octants[0].name(), scene.octants[1].name(), geometryTerms[0].name(),
-                                         geometryTerms[1].name()};
-    static_assert(textures.size() == kBeamUnit);
+    std::vector<GLuint> textures{scene.level.name(), scene.clearance.name(), scene.distance.name()};
+    assert(textures.size() == kSwept0Unit);
+    if (shading == Shading::octants) {
+      for (const auto* pair : {&scene.octants, &geometryTerms})
+        for (const GlTexture& texture : *pair) textures.push_back(texture.name());
+    }
+    if (shading == Shading::openness) textures.push_back(scene.openness.name());
+    assert(textures.size() <= kBeamUnit);
     for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
     for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
     glBlendEquation(GL_FUNC_ADD);
@@ -122,7 +148,7 @@ struct Renderer::Impl {
   }
 
   // The rectangles, each a triangle that covers the viewport, cut by the scissor.
-  void draw(glm::vec2 pixelOrigin, const std::vector<TileRect>& rects) const {
+  void draw(const GlProgram& program, glm::vec2 pixelOrigin, const std::vector<TileRect>& rects) const {
     constexpr GLint kPixelOrigin = 0;
     constexpr int kTriangle = 3;
     glUseProgram(program.name());
@@ -141,18 +167,19 @@ struct Renderer::Impl {
   // are drawn on their own.
   void drawTile(glm::vec2 pixelOrigin, glm::ivec2 size, const RenderSettings& settings, glm::vec4 background) {
     const std::vector<TileRect> rects = beams.trace(pixelOrigin, size);
+    const GlProgram& march = program(settings.shading);
     const bool single = settings.samples == 1;
     if (single || settings.layers) {
       framebuffer.bind(size, single, settings.layers);
       framebuffer.clear(background);
-      draw(pixelOrigin, rects);
+      draw(march, pixelOrigin, rects);
     }
     if (single) return;
     framebuffer.bind(size, true, false);
     framebuffer.clear(static_cast<float>(settings.samples) * background);
     for (int i = 0; i < settings.samples; ++i) {
       if (i == 1) glEnablei(GL_BLEND, 0);  // the first sample replaces the background of the rectangles
-      draw(pixelOrigin + sampleOffset(i), rects);
+      draw(march, pixelOrigin + sampleOffset(i), rects);
     }
     glDisablei(GL_BLEND, 0);
   }
@@ -167,6 +194,10 @@ void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
   impl_->scene = uploadScene(fields);
   if (impl_->scene.hasOctants() && !impl_->geometryTerms[0]) impl_->geometryTerms = uploadGeometryTerms();
+  // The one that such a scene is for.
+  impl_->program(impl_->scene.hasOpenness()  ? Shading::openness
+                 : impl_->scene.hasOctants() ? Shading::octants
+                                             : Shading::local);
 }
 
 Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Frame storage) try {
@@ -186,7 +217,7 @@ Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Fra
   const int tileWidth = std::min(size.x, kTileWidth);
   const glm::ivec2 tile(tileWidth, std::min(size.y, kTilePixels / tileWidth));
   impl_->framebuffer.reserve(tile, settings.layers);
-  impl_->bindInputs(uniforms);
+  impl_->bindInputs(uniforms, settings.shading);
   for (int y = 0; y < size.y; y += tile.y) {
     for (int x = 0; x < size.x; x += tile.x) {
       const glm::ivec2 extent = glm::min(tile, size - glm::ivec2(x, y));
@@ -204,7 +235,8 @@ Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Fra
     const float share = 1 / static_cast<float>(settings.samples);
     for (glm::vec4& color : frame.color) color *= share;
   }
-  if (settings.layers) fillLayers(frame, normals, positions, camera, impl_->scene.frame, uniforms.gridSize.w != 0);
+  if (settings.layers)
+    fillLayers(frame, normals, positions, camera, impl_->scene.frame, settings.shading != Shading::local);
   return frame;
 } catch (const std::bad_alloc&) {
   throw GpuError(fmt::format("image: not enough memory for {}x{} pixels", settings.size.x, settings.size.y));

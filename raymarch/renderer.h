@@ -1,7 +1,8 @@
-// Sphere-traces an isosurface in one GLSL pass and shades it with the swept octants and the geometry-term tables.
+// Sphere-traces an isosurface in one GLSL pass and shades it with swept occlusion.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/mat4x4.hpp>
 #include <memory>
@@ -16,24 +17,26 @@ namespace isolume {
 
 /// What is uploaded; borrowed for the duration of Renderer::upload. All grids have the same size and spacing.
 /// GPU memory: level 4 B/voxel (R32F), distance 2 B/voxel (R16F, in units of the smallest spacing), clearance 1 B/voxel
-/// (clearance.h), octants 8 B/voxel. At least two samples along each axis.
+/// (clearance.h), octants 8 B/voxel, openness 2 B/voxel (R16). At least two samples along each axis.
 struct SceneFields {
   glm::dmat4 worldFromGrid{1};     ///< index to world: rotation or reflection, spacing, translation; no shear
   GridView<const float> level;     ///< > 0 inside; the surface is its trilinear zero set (sweep/level.h)
   GridView<const float> distance;  ///< world units, < 0 inside; may be empty: only NormalSource::distance reads it
-  std::array<GridView<const glm::u8vec4>, 2> octants;  ///< may be empty: then only Shading::local works
+  std::array<GridView<const glm::u8vec4>, 2> octants;  ///< may be empty: only Shading::octants reads them
+  GridView<const std::uint16_t> openness;              ///< may be empty: only Shading::openness reads it; 65535 is open
 };
 
 enum class NormalSource { data, distance };
 enum class Shading {
-  occlusion,  ///< A = sum V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point gives 1
-  local,      ///< head light, N . V: no octants needed
+  octants,   ///< A = sum V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point gives 1
+  openness,  ///< A as swept by ordinates, interpolated at the hit
+  local,     ///< head light, N . V: nothing swept needed
 };
 
 struct RenderSettings {
   glm::ivec2 size{1024, 1024};
   int samples = 1;  ///< anti-aliasing samples per pixel, >= 1
-  Shading shading = Shading::occlusion;
+  Shading shading = Shading::octants;
   NormalSource normals = NormalSource::data;
   float occlusionOffsetVoxels =
       0;                ///< octants are read that far above the hit along the normal, index space; 0 is [Singh10]
@@ -51,7 +54,7 @@ struct Frame {
   glm::ivec2 size{0};
   std::vector<glm::vec4> color;
   std::vector<float> ambient;       ///< openness in [0, 1], before gamma; empty unless asked for, as the following,
-                                    ///< and where the scene has no octants
+                                    ///< and with Shading::local
   std::vector<glm::vec3> normal;    ///< world, unit, out of the solid
   std::vector<glm::vec3> position;  ///< world
   std::vector<float> depth;         ///< along the view axis, world units

@@ -62,6 +62,10 @@ SceneTextures uploadScene(const SceneFields& fields) {
       scene.octants[i] = makeTexture3D("octants", size, kRGBA8, GL_NEAREST, fields.octants[i].data);
     }
   }
+  if (fields.openness.data) {
+    checkSize("openness", fields.openness.size, size);
+    scene.openness = makeTextureSlices("openness", size, kR16, GL_NEAREST, fields.openness.data);
+  }
   glFinish();
   checkGl("upload");
   return scene;

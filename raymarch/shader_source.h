@@ -27,7 +27,7 @@ struct ShaderSource {
 /// not exist.
 ShaderSource resolveIncludes(std::string_view name, const ShaderLookup& lookUp = embeddedShader);
 
-/// The driver's log with line numbers turned back to file and line, "shaders/march.frag:42: ...", in one line.
+/// The driver's log with line numbers turned back to file and line, "shaders/march_octants.frag:42: ...", in one line.
 /// Understands the forms of Mesa "0:10042(7): error", NVIDIA "0(10042) : error" and AMD / Intel "ERROR: 0:10042: ".
 std::string rewriteLog(std::string_view log, const std::vector<std::string>& files);
 

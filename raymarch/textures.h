@@ -19,6 +19,7 @@ struct TexelFormat {
 };
 inline constexpr TexelFormat kR32F{GL_R32F, GL_RED, GL_FLOAT, 4, "R32F"};
 inline constexpr TexelFormat kR16F{GL_R16F, GL_RED, GL_HALF_FLOAT, 2, "R16F"};
+inline constexpr TexelFormat kR16{GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2, "R16"};
 inline constexpr TexelFormat kR8UI{GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1, "R8UI"};
 inline constexpr TexelFormat kRGBA8{GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4, "RGBA8"};
 inline constexpr TexelFormat kRGBA32F{GL_RGBA32F, GL_RGBA, GL_FLOAT, 16, "RGBA32F"};

@@ -7,7 +7,7 @@
 namespace isolume {
 
 struct EmbeddedShader {
-  std::string_view name;  ///< "shaders/march.frag"
+  std::string_view name;  ///< "shaders/march_octants.frag"
   std::string_view text;
 };
 const std::vector<EmbeddedShader>& embeddedShaders();

@@ -9,6 +9,6 @@ struct FrameUniforms {
   vec4 scale;       // spacing / smallest spacing; w: how far above a hit the octants are read, voxels
   vec4 albedo;      // linear; w: 1 / gamma
   vec4 background;  // linear, premultiplied
-  ivec4 gridSize;   // samples along each axis; w: 1 where there are octants
-  ivec4 modes;      // x: 0 occlusion, 1 local shading; y: 0 normals from the data, 1 from the distance
+  ivec4 gridSize;   // samples along each axis
+  ivec4 modes;      // x: 0 normals from the data, 1 from the distance
 };

@@ -16,21 +16,51 @@ constexpr int kMaxSamples = 1024;  ///< per pixel; beyond it nothing visible cha
 
 void addShadingOptions(CLI::App& app, RenderJob& job) {
   OptionGroup group(app, "Shading");
+  OcclusionRequest& occlusion = job.occlusion;
   group.value(
       "--occlusion", "METHOD",
-      [&job](const std::string& option, const std::string& text) {
-        job.shading = parseChoice<Shading>(option, text, {{"singh10", Shading::occlusion}, {"none", Shading::local}});
+      [&occlusion](const std::string& option, const std::string& text) {
+        occlusion.method = parseChoice<OcclusionMethod>(option, text,
+                                                        {{"singh10", OcclusionMethod::singh10},
+                                                         {"octants", OcclusionMethod::octants},
+                                                         {"ordinates", OcclusionMethod::ordinates},
+                                                         {"none", OcclusionMethod::none}});
       },
-      "singh10: ambient occlusion by eight octant sweeps;\nnone: a head light, no sweep for visibility (default: "
-      "singh10)");
+      "ordinates: ambient occlusion by many directions;\nsingh10: by eight octant sweeps, as published;\n"
+      "octants: the same, read above the surface;\nnone: a head light, nothing swept (default: ordinates)");
+  group.value(
+      "--quality", "LEVEL",
+      [&occlusion](const std::string& option, const std::string& text) {
+        occlusion.quality = parseChoice<OcclusionQuality>(
+            option, text,
+            {{"draft", OcclusionQuality::draft}, {"good", OcclusionQuality::good}, {"best", OcclusionQuality::best}});
+      },
+      "draft, good or best: how exact the openness is\n(default: good)");
+  group.value(
+      "--error", "RMSE",
+      [&occlusion](const std::string& option, const std::string& text) {
+        occlusion.error = parsePositive(option, text);
+      },
+      "instead of --quality: the cheapest setting whose\nerror on the reference scenes was at most that");
+  group.value(
+      "--ordinates", "N",
+      [&occlusion](const std::string& option, const std::string& text) {
+        occlusion.ordinates = parseCount(option, text, kLeastOrdinates, kMostOrdinates);
+      },
+      fmt::format("instead of --quality: directions, {} to {}", kLeastOrdinates, kMostOrdinates));
+  group.value(
+      "--refinement", "N",
+      [&occlusion](const std::string& option, const std::string& text) {
+        occlusion.refinement = parseCount(option, text, 1, kMostRefinement);
+      },
+      fmt::format("lattice points per voxel for --ordinates, 1 or {}\n(default: {})", kMostRefinement,
+                  OrdinateOptions().refinement));
   group.value(
       "--occlusion-offset", "VOXELS",
-      [&job](const std::string& option, const std::string& text) {
-        job.occlusionOffset = parseWithin(option, text, 0, kMaxOffset);
+      [&occlusion](const std::string& option, const std::string& text) {
+        occlusion.offset = parseWithin(option, text, 0, kMaxOffset);
       },
-      fmt::format(
-          "where the octants are read: so far above the surface along\nthe normal; 0 is the paper's (default: {})",
-          job.occlusionOffset));
+      "where octants are read: so far above the surface along\nthe normal (default: singh10 0, octants 2)");
   group.value(
       "--normals", "SOURCE",
       [&job](const std::string& option, const std::string& text) {
@@ -109,7 +139,8 @@ void checkRenderOptions(const RenderJob& job) {
     throw UsageError(fmt::format("--layers: expected an .exr to hold them, found '{}'", job.output));
   if (ending == ".exr" && job.bitDepth)
     throw UsageError(fmt::format("--bit-depth: expected a .png (an .exr holds 32-bit floats), found '{}'", job.output));
-  if (job.shading == Shading::local && job.layers.ambient)
+  chooseOcclusion(job.occlusion);
+  if (job.occlusion.method == OcclusionMethod::none && job.layers.ambient)
     throw UsageError("--layers: expected no 'ambient' with --occlusion none, which computes no openness");
 }
 

@@ -30,8 +30,8 @@ Image imageOf(const Frame& frame, const RenderJob& job) {
   const int colors = png && !job.transparent ? 3 : 4;
   for (int i = 0; i < colors; ++i) image.channels.push_back(channelOf(kColors[i], frame.color, i));
   const Layers& layers = job.layers;
-  const bool hasAmbient = job.shading == Shading::occlusion;
-  if (layers.ambient || (layers.all && hasAmbient)) image.channels.push_back({"ambient.Y", frame.ambient});
+  const bool hasAmbient = !frame.ambient.empty();
+  if (hasAmbient && (layers.ambient || layers.all)) image.channels.push_back({"ambient.Y", frame.ambient});
   if (layers.normal || layers.all) addVector(image, "normal", frame.normal);
   if (layers.position || layers.all) addVector(image, "position", frame.position);
   if (layers.depth || layers.all) image.channels.push_back({"Z", frame.depth});

@@ -24,12 +24,11 @@ std::string layerList(const Layers& layers) {
   return list;
 }
 
-nlohmann::ordered_json pictureSettings(const RenderJob& job) {
+nlohmann::ordered_json pictureSettings(const RenderJob& job, const OcclusionSetting& occlusion) {
   nlohmann::ordered_json settings;
   settings["size"] = fmt::format("{}x{}", job.size.x, job.size.y);
   settings["samples"] = job.samples;
-  settings["occlusion"] = job.shading == Shading::occlusion ? "singh10" : "none";
-  if (job.shading == Shading::occlusion) settings["occlusion-offset"] = job.occlusionOffset;
+  settings.update(occlusionSettings(occlusion));
   settings["normals"] = job.normals == NormalSource::data ? "data" : "distance";
   settings["gamma"] = job.gamma;
   settings["albedo"] = job.albedo.text;
@@ -38,6 +37,8 @@ nlohmann::ordered_json pictureSettings(const RenderJob& job) {
   if (job.bitDepth) settings["bit-depth"] = *job.bitDepth;
   return settings;
 }
+
+std::string calibratedText(double error) { return fmt::format("{:.4f} at most on the reference scenes", error); }
 
 }  // namespace
 
@@ -80,10 +81,10 @@ Provenance surfaceProvenance(const std::string& command, const std::string& inpu
   return provenance;
 }
 
-Provenance renderProvenance(const RenderJob& job, const Surface& surface, const Camera& camera, const Context& context,
-                            const std::string& checksums) {
+Provenance renderProvenance(const RenderJob& job, const OcclusionSetting& occlusion, const Surface& surface,
+                            const Camera& camera, const Context& context, const std::string& checksums) {
   Provenance provenance = surfaceProvenance(job.run.command, job.surface.input, surface, checksums);
-  nlohmann::ordered_json picture = pictureSettings(job);
+  nlohmann::ordered_json picture = pictureSettings(job, occlusion);
   picture.update(surface.method);
   const std::string backend(context.backend());
   const std::string cameraText = cameraOptions(camera);
@@ -91,7 +92,9 @@ Provenance renderProvenance(const RenderJob& job, const Surface& surface, const 
                                                          {"isolume:settings", optionText(picture)},
                                                          {"isolume:backend", backend},
                                                          {"isolume:gl", context.description()}});
+  if (occlusion.error) provenance.metadata.emplace_back("isolume:openness_rmse", calibratedText(*occlusion.error));
   provenance.settings.update(picture);
+  if (occlusion.error) provenance.settings["calibrated_error"] = *occlusion.error;
   provenance.settings["camera"] = cameraText;
   provenance.settings["backend"] = backend;
   provenance.settings["gl"] = context.description();

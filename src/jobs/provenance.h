@@ -13,6 +13,7 @@
 
 namespace isolume {
 
+struct OcclusionSetting;
 struct RenderJob;
 
 struct Provenance {
@@ -32,7 +33,7 @@ std::string optionText(const nlohmann::ordered_json& settings);
 Provenance surfaceProvenance(const std::string& command, const std::string& input, const Surface& surface,
                              const std::string& checksums);
 
-Provenance renderProvenance(const RenderJob& job, const Surface& surface, const Camera& camera, const Context& context,
-                            const std::string& checksums);
+Provenance renderProvenance(const RenderJob& job, const OcclusionSetting& occlusion, const Surface& surface,
+                            const Camera& camera, const Context& context, const std::string& checksums);
 
 }  // namespace isolume

@@ -9,6 +9,7 @@
 #include "src/io/srgb.h"
 #include "src/jobs/camera_choice.h"
 #include "src/jobs/color.h"
+#include "src/jobs/occlusion_method.h"
 #include "src/jobs/run_options.h"
 #include "src/jobs/surface.h"
 
@@ -28,9 +29,8 @@ struct RenderJob {
   /// One: each costs a pass over the picture, and with four a 256^3 volume at the default size took more than the two
   /// seconds that a whole job may take on two cores.
   int samples = 1;
-  Shading shading = Shading::occlusion;
+  OcclusionRequest occlusion;
   NormalSource normals = NormalSource::data;
-  double occlusionOffset = 2;  ///< voxels above the surface where the octants are read; 0 is [Singh10]
   double gamma = 1;
   /// Light grey, so that an open surface stands out from the white page of a figure.
   Color albedo{"#cccccc", glm::vec3(linearFromSrgb(0.8F))};

@@ -74,6 +74,30 @@ SweptScene readScene(const SurfaceRequest& request, VisibilityStorage storage, S
   return scene;
 }
 
+std::string gridText(const SweptScene& scene) {
+  const glm::ivec3 size = scene.surface.level.size();
+  return fmt::format("{}x{}x{} voxels", size.x, size.y, size.z);
+}
+
+/// Stages `distance` and, if the method has it, `visibility`.
+void sweepFields(SweptScene& scene, const SweepOptions& method, StageLog& log) {
+  const bool withVisibility = method.visibility != VisibilityStorage::none;
+  const bool together = withVisibility && sweptTogether(method);
+  log.begin("distance", fmt::format("sweeping distance{} over {}", together ? " and visibility" : "", gridText(scene)));
+  SweepOptions sweep = method;
+  if (!together) sweep.visibility = VisibilityStorage::none;
+  scene.swept = sweepOcclusion(std::as_const(scene.surface.level).view(), sweep);
+  scene.surface.method = distanceSettings(method);
+  log.end(scene.swept.distance.count() * sizeof(float));
+  if (together) {
+    log.addIncluded("visibility", visibilityBytes(scene.swept.visibility), "distance");
+  } else if (withVisibility) {
+    log.begin("visibility", "sweeping visibility over " + gridText(scene));
+    scene.swept.visibility = sweepVisibility(std::as_const(scene.swept.distance).view(), method.visibility);
+    log.end(visibilityBytes(scene.swept.visibility));
+  }
+}
+
 }  // namespace
 
 const char* insideName(Inside inside) { return inside == Inside::above ? "above" : "below"; }
@@ -113,26 +137,19 @@ Surface readSurface(const SurfaceRequest& request, StageLog& log) {
 
 SweptScene loadScene(const SurfaceRequest& request, const FieldNeeds& needs, StageLog& log) {
   const SweepOptions method = distanceMethod(request.distance, needs.visibility, needs.extent);
-  if (isFieldsFile(request.input)) return readScene(request, needs.visibility, log);
-  SweptScene scene{readSurface(request, log), {}};
-  const bool withVisibility = needs.visibility != VisibilityStorage::none;
-  if (!needs.distance && !withVisibility) return scene;
-  const GridView<const float> level = scene.surface.level.view();
-  const std::string grid = fmt::format("{}x{}x{} voxels", level.size.x, level.size.y, level.size.z);
-  const bool together = withVisibility && sweptTogether(method);
-  log.begin("distance", fmt::format("sweeping distance{} over {}", together ? " and visibility" : "", grid));
-  SweepOptions sweep = method;
-  if (!together) sweep.visibility = VisibilityStorage::none;
-  scene.swept = sweepOcclusion(level, sweep);
-  scene.surface.method = distanceSettings(method);
-  log.end(scene.swept.distance.count() * sizeof(float));
-  if (!withVisibility) return scene;
-  if (together) {
-    log.addIncluded("visibility", visibilityBytes(scene.swept.visibility), "distance");
+  SweptScene scene;
+  if (isFieldsFile(request.input)) {
+    scene = readScene(request, needs.visibility, log);
   } else {
-    log.begin("visibility", "sweeping visibility over " + grid);
-    scene.swept.visibility = sweepVisibility(std::as_const(scene.swept.distance).view(), needs.visibility);
-    log.end(visibilityBytes(scene.swept.visibility));
+    scene.surface = readSurface(request, log);
+    const bool withVisibility = needs.visibility != VisibilityStorage::none;
+    if (needs.distance || withVisibility || needs.openness) sweepFields(scene, method, log);
+  }
+  if (needs.openness) {
+    log.begin("visibility", fmt::format("sweeping {} ordinates over {}", needs.openness->ordinates, gridText(scene)));
+    scene.openness = sweepOpenness(std::as_const(scene.surface.level).view(),
+                                   std::as_const(scene.swept.distance).view(), *needs.openness);
+    log.end(scene.openness.count() * sizeof(std::uint16_t));
   }
   return scene;
 }

@@ -11,6 +11,7 @@
 #include "src/jobs/distance_method.h"
 #include "src/jobs/stage_log.h"
 #include "sweep/level.h"
+#include "sweep/ordinates/openness_sweep.h"
 
 namespace isolume {
 
@@ -31,15 +32,17 @@ struct Surface {
   Inside inside = Inside::above;
   LevelSummary summary;
   std::string format, sampleType, gridName;
-  std::string source;              ///< of a fields file: how it was made
-  nlohmann::ordered_json method = nlohmann::ordered_json::object();  ///< how its distances were computed (distanceSettings()); empty until they are
-  std::vector<std::string> files;  ///< every file that was read
+  std::string source;  ///< of a fields file: how it was made
+  nlohmann::ordered_json method =
+      nlohmann::ordered_json::object();  ///< how its distances were computed (distanceSettings()); empty until they are
+  std::vector<std::string> files;        ///< every file that was read
 };
 
 /// A solid with its fields, swept now or read from a file.
 struct SweptScene {
   Surface surface;
   SweptFields swept;
+  Grid<std::uint16_t> openness;  ///< sweepOpenness()
 };
 
 /// Stage `read`. InputError if nothing is inside, or if the isovalue is outside the range of the finite samples:
@@ -50,11 +53,13 @@ Surface readSurface(const SurfaceRequest& request, StageLog& log);
 struct FieldNeeds {
   bool distance = false;  ///< visibility needs it in any case
   VisibilityStorage visibility = VisibilityStorage::none;
+  std::optional<OrdinateOptions> openness = {};
   DistanceExtent extent = DistanceExtent::band;  ///< of the distance, if the user does not say
 };
 
-/// Stages `read` and, as needed, `distance` and `visibility`; a file of fields has only `read`, and leaves no choice of
-/// surface: UsageError for any such option. Octants of a file are packed if they are wanted as rgba8.
+/// Stages `read` and, as needed, `distance` and `visibility`; a file of fields leaves no choice of surface (UsageError
+/// for any such option) and has its distance and octants, packed if they are wanted as rgba8, so that of the sweeps
+/// only that for openness may remain.
 SweptScene loadScene(const SurfaceRequest& request, const FieldNeeds& needs, StageLog& log);
 
 /// Bytes that the visibility takes.

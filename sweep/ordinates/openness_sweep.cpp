@@ -21,11 +21,6 @@ constexpr double kLargestOpenness = 65535;
 constexpr std::size_t kWidestVector = 64;
 constexpr std::size_t kChunk = 1 << 15;
 
-// Off the surface by how much of a lattice cell's width along the normal. 1 keeps every plane clear of its own steps (a
-// ray and its rounding stray by half a point each); less is closer to what touches the surface. Least RMSE of .5, .7, 1
-// over corner, gyroid and capsules, 128^3 and 256^3.
-constexpr double kLift = 0.7;
-
 template <class Visit>
 void forEachParallel(std::size_t count, const Visit& visit) {
   parallelFor((count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
@@ -40,18 +35,18 @@ struct RayGroup {
 };
 
 // Directions whose rays cross most layers of `axis`, in groups.
-std::vector<RayGroup> groupsOf(int axis, const std::vector<glm::dvec3>& directions, glm::dvec3 spacing) {
+std::vector<RayGroup> groupsOf(int axis, const std::vector<glm::dvec3>& directions, glm::dvec3 cell) {
   const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
   std::vector<RayGroup> groups;
   for (const int towards : {1, -1}) {
     std::vector<RayDirection> all;
     for (const glm::dvec3& direction : directions) {
-      const glm::dvec3 steps = direction / spacing, size = glm::abs(steps);
+      const glm::dvec3 steps = direction / cell, size = glm::abs(steps);
       const int longest = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
       if (longest != axis || (steps[axis] > 0) != (towards > 0)) continue;
       all.push_back({static_cast<float>(direction[axes.bit]), static_cast<float>(direction[axes.row]),
                      static_cast<float>(direction[axes.layer]), steps[axes.bit] / steps[axes.layer],
-                     steps[axes.row] / steps[axes.layer]});
+                     steps[axes.row] / steps[axes.layer], static_cast<float>(1 / size[axis])});
     }
     // Of equal size, so that no thread waits for a last full one while another sweeps a rest.
     const std::size_t count = (all.size() + kRayGroup - 1) / kRayGroup;
@@ -100,7 +95,7 @@ class SharedSums {
 Grid<std::uint16_t> sweepOpenness(GridView<const float> level, GridView<const float> distance,
                                   const OrdinateOptions& options) {
   assert(options.ordinates >= kLeastOrdinates && options.ordinates <= kMostOrdinates);
-  assert(options.refinement == 1 || options.refinement == 2);
+  assert(options.refinement >= 1 && options.refinement <= kMostRefinement);
   Grid<std::uint16_t> result(level.size, level.spacing, level.origin);
   const SurfaceFeet surface(level, distance);
   const std::vector<SurfaceFoot>& feet = surface.feet();
@@ -114,9 +109,10 @@ Grid<std::uint16_t> sweepOpenness(GridView<const float> level, GridView<const fl
     RayPoints points(feet.size());
     SharedSums shared(feet.size() + kWidestVector);
     for (int axis = 0; axis < 3; ++axis) {
-      const std::vector<RayGroup> groups = groupsOf(axis, directions, level.spacing);
-      points.sort(feet, lattice, level.spacing, kLift, axis);
-      const LatticeLayers layers = layersOf(lattice, axis);
+      const std::vector<RayGroup> groups =
+          groupsOf(axis, directions, level.spacing / static_cast<double>(lattice.refinement));
+      points.sort(feet, lattice, level.spacing, axis);
+      const LatticeLayers layers = layersOf(lattice, level.spacing, axis);
       parallelFor(groups.size(), [&](std::size_t i) {
         std::vector<std::int32_t> sums = shared.take();
         sweepRays(layers, groups[i].towards, groups[i].directions, points, scale, sums.data());

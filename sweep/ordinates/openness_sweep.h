@@ -4,7 +4,7 @@
 //
 // Where [Singh10] carries one value per octant, whose mixing of neighbours is diffusion along the way (Eq. 6), here
 // nothing mixes: V is 0 or 1, so that the error falls with the number of ordinates, K^-3/4, until the lattice's steps
-// show. Each point is lifted off the surface so far that the steps of its own plane cannot meet it.
+// show. No point is shaded by the lattice's steps of its own plane (sheared_rays.h).
 //
 // Result: a value for each sample next to the surface (surface_feet.h), to be interpolated at points of the surface.
 // Elsewhere 0. Bitwise the same for any number of threads and any SIMD width.
@@ -16,11 +16,11 @@
 
 namespace isolume {
 
-inline constexpr int kLeastOrdinates = 8, kMostOrdinates = 4096;
+inline constexpr int kLeastOrdinates = 8, kMostOrdinates = 4096, kMostRefinement = 2;
 
 struct OrdinateOptions {
   int ordinates = 512;  ///< directions over the whole sphere
-  int refinement = 2;   ///< lattice points per voxel along each axis, 1 or 2
+  int refinement = 1;   ///< lattice points per voxel along each axis, 1 or 2
 };
 
 /// Openness in units of 1 / 65535. `level` as of makeLevel(), `distance` exact next to its surface.

@@ -15,11 +15,11 @@ constexpr std::size_t kSigns = 8, kChunk = 1 << 15;
 struct LiftedPosition {
   glm::dvec3 perNormal{0};  // lattice points per component of the normal
   glm::dvec3 cell{1};       // of the lattice, world units
-  double refinement = 1, lift = 0;
+  double refinement = 1;
   glm::vec3 low{0}, high{0};
 
-  LiftedPosition(const SolidLattice& lattice, glm::dvec3 spacing, double lift_)
-      : cell(spacing / static_cast<double>(lattice.refinement)), refinement(lattice.refinement), lift(lift_) {
+  LiftedPosition(const SolidLattice& lattice, glm::dvec3 spacing)
+      : cell(spacing / static_cast<double>(lattice.refinement)), refinement(lattice.refinement) {
     perNormal = 1.0 / cell;
     low = glm::vec3(-kBeyondLattice);
     high = glm::vec3(lattice.size - 1) + kBeyondLattice;
@@ -27,7 +27,7 @@ struct LiftedPosition {
   glm::vec3 operator()(const SurfaceFoot& foot) const {
     const glm::dvec3 normal(foot.normal);
     const double width = glm::dot(glm::abs(normal), cell);
-    const glm::dvec3 at = glm::dvec3(foot.position) * refinement + lift * width * normal * perNormal;
+    const glm::dvec3 at = glm::dvec3(foot.position) * refinement + kLift * width * normal * perNormal;
     return glm::clamp(glm::vec3(at), low, high);
   }
 };
@@ -43,9 +43,8 @@ RayPoints::RayPoints(std::size_t count)
   for (int i = 0; i < 6; ++i) std::fill_n(values(i) + count, kWidestVector, 0.0F);
 }
 
-void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, double lift,
-                     int axis) {
-  const LiftedPosition positionOf(lattice, spacing, lift);
+void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis) {
+  const LiftedPosition positionOf(lattice, spacing);
   const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
   const int layers = lattice.size[axis];
   const auto keyOf = [&](glm::vec3 position, glm::vec3 n) {

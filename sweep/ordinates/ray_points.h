@@ -17,6 +17,10 @@ struct RayAxes {
 /// For rays along each axis: by layers of x, y, z.
 inline constexpr std::array<RayAxes, 3> kRayAxes{{{1, 2, 0}, {0, 2, 1}, {0, 1, 2}}};
 
+/// In widths of a lattice cell along a point's normal: how far it is lifted off the surface, and how high over the
+/// surface's plane a ray must be before what it meets counts (sheared_rays.h).
+inline constexpr float kLift = 0.1F, kClearance = 1;
+
 /// Positions lie at most that far beyond the lattice, in its points.
 inline constexpr float kBeyondLattice = 1.9F;
 
@@ -27,11 +31,9 @@ class RayPoints {
   explicit RayPoints(std::size_t count);
 
   /// Points in groups of a layer (that at or below them), and within a layer by the signs of their normals, so that
-  /// those that face away from a direction stand together. A position is the foot lifted along its normal by `lift`
-  /// of the lattice cell's width in that direction. A counting sort in fixed chunks: the order does not depend on the
-  /// number of threads. Threaded.
-  void sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, double lift,
-            int axis);
+  /// those that face away from a direction stand together. A position is the foot lifted along its normal by kLift. A
+  /// counting sort in fixed chunks: the order does not depend on the number of threads. Threaded.
+  void sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis);
 
   std::size_t count() const { return count_; }
   const float* bit() const { return values(0); }  ///< position, lattice points

@@ -6,9 +6,12 @@
 // for all rays. So with B_k(x) = whether anything is met from point x of layer k on, towards the light,
 //   B_k(x) = S_k(x) or B_k'(x + o(k') - o(k)),   k' = the layer before k in the order of the sweep,
 // which is a shift by at most one bit and one row, an OR and nothing else. Beyond the lattice all is open.
-// A point q between two layers reads the ray that passes closest to it in the next layer towards the light, and is met
-// by at most one lattice point to each side of the true ray: half a point by the choice of the ray, half by its
-// rounding.
+// A point q between two layers takes the ray that passes closest to it in the next layer towards the light. It strays
+// from the true one by at most one lattice point along each of the two axes: half by the choice of the ray, half by its
+// rounding. So a plane through q, whose lattice points form steps, may block rays that truly leave it: until the ray is
+// higher over the plane than the width of a cell along the normal. The point is lifted by kLift of that, and what is
+// met before the ray has risen to kClearance of it is not asked for: B is read up to kMostSkipped layers on. Against a
+// lift by .7 alone, on betaGal.mrc (100^3, 256 directions, refinement 1), RMSE falls from .036 to .017.
 //
 // Cost: one OR per lattice point and ordinate, 1/256 instruction each; a point's reading is a gather. State: one layer
 // of bits per ordinate.
@@ -27,13 +30,15 @@ struct LatticeLayers {
   const std::uint64_t* data = nullptr;
   int length = 0, rows = 0, layers = 0, words = 0;
   std::ptrdiff_t rowStride = 0, layerStride = 0;  ///< words
+  float cellBit = 1, cellRow = 1, cellLayer = 1;  ///< distance between points, world units
 };
-LatticeLayers layersOf(const SolidLattice& lattice, int axis);
+LatticeLayers layersOf(const SolidLattice& lattice, glm::dvec3 spacing, int axis);
 
 /// One direction towards the light, its components in the order of the axes.
 struct RayDirection {
   float weightBit = 0, weightRow = 0, weightLayer = 0;  ///< unit vector, world units: what N is multiplied with
   double slopeBit = 0, slopeRow = 0;                    ///< lattice points per layer
+  float risePerCosine = 0;  ///< how much a ray rises over a plane from layer to layer, world units, per N . w
 };
 
 inline constexpr int kRayGroup = 16;  ///< directions that are swept at a time

@@ -96,9 +96,9 @@ TEST(CommandLine, EveryRenderOptionReachesTheJob) {
   EXPECT_EQ(job.camera.roll, 7);
   EXPECT_EQ(job.camera.zoom, 2);
   EXPECT_EQ(job.camera.fov, 45);
-  EXPECT_EQ(job.shading, Shading::occlusion);
+  EXPECT_EQ(job.occlusion.method, OcclusionMethod::singh10);
   EXPECT_EQ(job.normals, NormalSource::distance);
-  EXPECT_EQ(job.occlusionOffset, 0);
+  EXPECT_EQ(job.occlusion.offset, 0);
   EXPECT_EQ(job.gamma, 2);
   EXPECT_EQ(job.albedo.linear, glm::vec3(1, 0, 0));
   EXPECT_EQ(job.background.linear, glm::vec3(0));
@@ -122,7 +122,7 @@ TEST(CommandLine, PlacedOrthographicCameraIsComplete) {
   EXPECT_EQ(job.camera.target, glm::dvec3(0));
   EXPECT_EQ(job.camera.height, 2);
   EXPECT_EQ(job.camera.projection, Projection::orthographic);
-  EXPECT_EQ(job.shading, Shading::local);
+  EXPECT_EQ(job.occlusion.method, OcclusionMethod::none);
   EXPECT_EQ(job.bitDepth, 16);
   EXPECT_TRUE(job.transparent);
 }
@@ -130,13 +130,15 @@ TEST(CommandLine, PlacedOrthographicCameraIsComplete) {
 TEST(CommandLine, HelpTellsEveryOptionItsDefaultAndTheExitCodes) {
   // The page of a command lists its options in groups, the first page the commands and exit codes.
   const std::string render = std::get<PrintedText>(parse({"render", "--help"})).text;
-  for (const char* part :
-       {"--isovalue", "--inside",  "--grid",    "--dims",        "--type",   "--endian",    "--offset",
-        "--spacing",  "--origin",  "--azimuth", "--elevation",   "--roll",   "--zoom",      "--fov",
-        "--eye",      "--target",  "--up",      "--projection",  "--height", "--occlusion", "--occlusion-offset",
-        "--normals",  "--gamma",   "--albedo",  "--background",  "--size",   "--samples",   "--bit-depth",
-        "--layers",   "--threads", "--report",  "--verbose",     "--quiet",  "--backend",   "Camera",
-        "Shading",    "Output",    "1024x1024", "(default: 30)", "osmesa",   "egl"})
+  for (const char* part : {"--isovalue",  "--inside",     "--grid",        "--dims",       "--type",
+                           "--endian",    "--offset",     "--spacing",     "--origin",     "--azimuth",
+                           "--elevation", "--roll",       "--zoom",        "--fov",        "--quality",
+                           "--error",     "--ordinates",  "--refinement",  "--eye",        "--target",
+                           "--up",        "--projection", "--height",      "--occlusion",  "--occlusion-offset",
+                           "--normals",   "--gamma",      "--albedo",      "--background", "--size",
+                           "--samples",   "--bit-depth",  "--layers",      "--threads",    "--report",
+                           "--verbose",   "--quiet",      "--backend",     "Camera",       "Shading",
+                           "Output",      "1024x1024",    "(default: 30)", "osmesa",       "egl"})
     EXPECT_THAT(render, HasSubstr(part));
   const std::string first = std::get<PrintedText>(parse({"--help"})).text;
   for (const char* part : {"render", "info", "fields", "sample", "--version", "Exit codes"})

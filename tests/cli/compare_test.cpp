@@ -162,7 +162,7 @@ TEST_F(Compare, RenderedPicturesCompareByDepth) {
   writeBall(path("ball_17x17x17_float32.raw"), 17, 6);
   for (const auto& [offset, output] : {std::pair{"2", "a.exr"}, {"2", "b.exr"}, {"0", "c.exr"}})
     runWell({"render", "ball_17x17x17_float32.raw", "--isovalue", "0", "--size", "24x24", "--layers", "all",
-             "--occlusion-offset", offset, "-o", output});
+             "--occlusion", "octants", "--occlusion-offset", offset, "-o", output});
   for (const char* layer : {"ambient", "normal", "position", "Z"})
     runWell({"compare", "a.exr", "b.exr", "--layer", layer, "--max-error", "0", "--min-ssim", "1", "--max-miss", "0"});
   const auto json = nlohmann::json::parse(runWell({"compare", "c.exr", "a.exr", "--json"}).out);

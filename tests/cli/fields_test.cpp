@@ -24,8 +24,8 @@ class Fields : public ProgramTest {
 TEST_F(Fields, DrawTheSamePictureAsTheVolume) {
   // Every layer of a picture drawn from a fields file has the bits of the one drawn from the volume, without a sweep.
   const std::vector<std::string> look{"--size", "37x29", "--layers", "all", "--azimuth", "50"};
-  std::vector<std::string> direct{"render",   "corner.vdb", "--isovalue", "0.01",
-                                  "--inside", "below",      "-o",         "direct.exr"};
+  std::vector<std::string> direct{"render", "corner.vdb", "--isovalue", "0.01",        "--inside",
+                                  "below",  "-o",         "direct.exr", "--occlusion", "octants"};
   std::vector<std::string> saved{"render", "f.vdb", "--report", "saved.json", "-o", "saved.exr"};
   for (std::vector<std::string>* command : {&direct, &saved}) {
     command->insert(command->end(), look.begin(), look.end());
@@ -37,6 +37,14 @@ TEST_F(Fields, DrawTheSamePictureAsTheVolume) {
   EXPECT_EQ(metadata(image, "isolume:isovalue"), "0.01");
   const auto report = nlohmann::json::parse(fileBytes(path("saved.json")));
   EXPECT_EQ(report["stages"][1]["name"], "upload") << "fields were swept again";
+}
+
+TEST_F(Fields, AlsoServeOrdinates) {
+  // Asked for ordinates, a fields file gives the picture of the volume: only the openness is swept.
+  runWell({"render", "corner.vdb", "--isovalue", "0.01", "--inside", "below", "--occlusion", "ordinates", "--size",
+           "20x20", "--layers", "all", "-o", "direct.exr"});
+  runWell({"render", "f.vdb", "--occlusion", "ordinates", "--size", "20x20", "--layers", "all", "-o", "saved.exr"});
+  EXPECT_TRUE(sameBits(readImage(path("direct.exr")), readImage(path("saved.exr"))));
 }
 
 TEST_F(Fields, AlsoDrawWithoutOcclusion) {
@@ -53,7 +61,7 @@ TEST_F(Fields, HoldTheDistanceOfTheSolver) {
   EXPECT_NE(fileBytes(path("c.vdb")).size(), 0u);
   runWell({"render", "c.vdb", "--size", "20x20", "--layers", "all", "-o", "saved.exr"});
   runWell({"render", "corner.vdb", "--isovalue", "0.01", "--inside", "below", "--solver", "closest", "--size", "20x20",
-           "--layers", "all", "-o", "direct.exr"});
+           "--layers", "all", "--occlusion", "octants", "-o", "direct.exr"});
   runWell({"render", "f.vdb", "--size", "20x20", "--layers", "all", "-o", "other.exr"});
   EXPECT_TRUE(sameBits(readImage(path("direct.exr")), readImage(path("saved.exr"))));
   EXPECT_FALSE(sameBits(readImage(path("direct.exr")), readImage(path("other.exr"))));

@@ -36,7 +36,8 @@ TEST_F(Provenance, PngAndExrSayHowTheyWereMade) {
     EXPECT_EQ(metadata(image, "isolume:isovalue"), "0.25");
     EXPECT_EQ(metadata(image, "isolume:inside"), "above");
     EXPECT_THAT(metadata(image, "isolume:camera"), HasSubstr("--projection perspective --fov 30"));
-    EXPECT_THAT(metadata(image, "isolume:settings"), HasSubstr("--size 24x16 --samples 1 --occlusion singh10"));
+    EXPECT_THAT(metadata(image, "isolume:settings"),
+                HasSubstr("--size 24x16 --samples 1 --occlusion ordinates --ordinates "));
     EXPECT_THAT(metadata(image, "isolume:backend"), ::testing::AnyOf("osmesa", "egl"));
     EXPECT_THAT(metadata(image, "isolume:gl"), ::testing::Not(""));
   }
@@ -44,16 +45,11 @@ TEST_F(Provenance, PngAndExrSayHowTheyWereMade) {
 
 TEST_F(Provenance, MetadataDrawsThePictureAgain) {
   // Isovalue, side, camera and settings taken from a picture, as options, give it again to the last bit.
-  runWell({"render",   kBallFile,     "--azimuth",
-           "33.3",     "--elevation", "-12.7",
-           "--roll",   "5",           "--zoom",
-           "1.3",      "--gamma",     "2.2",
-           "--albedo", "0.9,0.7,0.1", "--background",
-           "#123456",  "--normals",   "distance",
-           "--size",   "31x27",       "--samples",
-           "3",        "--layers",    "normal,depth",
-           "-o",       "first.exr",   "--occlusion-offset",
-           "0.7"});
+  runWell({"render",   kBallFile,     "--azimuth",    "33.3",    "--elevation",  "-12.7",
+           "--roll",   "5",           "--zoom",       "1.3",     "--gamma",      "2.2",
+           "--albedo", "0.9,0.7,0.1", "--background", "#123456", "--normals",    "distance",
+           "--size",   "31x27",       "--samples",    "3",       "--layers",     "normal,depth",
+           "-o",       "first.exr",   "--ordinates",  "40",      "--refinement", "2"});
   const Image first = readImage(path("first.exr"));
   std::vector<std::string> again{"render", metadata(first, "isolume:input"), "-o", "again.exr"};
   for (const char* key : {"isolume:camera", "isolume:settings"})
@@ -79,7 +75,7 @@ TEST_F(Provenance, ReportHasStagesMemoryAndSettings) {
   }
   EXPECT_THAT(names, ::testing::ElementsAre("read", "distance", "visibility", "upload", "frame", "write"));
   EXPECT_EQ(report["stages"][0]["bytes"], kVoxels * sizeof(float));
-  EXPECT_EQ(report["stages"][2]["bytes"], kVoxels * 8);  // eight octants of one byte
+  EXPECT_EQ(report["stages"][2]["bytes"], kVoxels * 2);  // openness
   EXPECT_GT(report["stages"][2]["seconds"], 0);
   EXPECT_EQ(report["stages"][5]["bytes"], fileBytes(path("out.png")).size());
   EXPECT_EQ(report["voxels"], kVoxels);
@@ -88,7 +84,8 @@ TEST_F(Provenance, ReportHasStagesMemoryAndSettings) {
   EXPECT_GT(report["peak_rss_bytes"].get<std::size_t>(), kVoxels * sizeof(float));
   EXPECT_EQ(report["input"]["path"], kBallFile);
   EXPECT_EQ(report["settings"]["size"], "24x16");
-  EXPECT_EQ(report["settings"]["occlusion"], "singh10");
+  EXPECT_EQ(report["settings"]["occlusion"], "ordinates");
+  EXPECT_GT(report["settings"]["calibrated_error"], 0);
   EXPECT_EQ(report["settings"]["solver"], "godunov");
   EXPECT_EQ(report["settings"]["start"], "better");
   EXPECT_EQ(report["settings"]["extent"], "band");
@@ -98,8 +95,10 @@ TEST_F(Provenance, ReportHasStagesMemoryAndSettings) {
 }
 
 TEST_F(Provenance, VisibilityOfTheWholeDomainIsPartOfTheSweep) {
-  // With --solver godunov --extent full both are swept together: visibility says so, and has no time of its own.
-  runWell({"render", kBallFile, "--extent", "full", "--size", "24x16", "--report", "report.json", "-o", "out.png"});
+  // With octants, --solver godunov and --extent full both are swept together: visibility says so, and has no time of
+  // its own.
+  runWell({"render", kBallFile, "--occlusion", "octants", "--extent", "full", "--size", "24x16", "--report",
+           "report.json", "-o", "out.png"});
   const auto report = nlohmann::json::parse(fileBytes(path("report.json")));
   EXPECT_EQ(report["stages"][2]["name"], "visibility");
   EXPECT_EQ(report["stages"][2]["included_in"], "distance");

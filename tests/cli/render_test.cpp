@@ -84,18 +84,27 @@ TEST_F(BallPicture, AlbedoScalesTheSurfaceAlone) {
 
 TEST_F(BallPicture, ColourIsOpennessToTheGamma) {
   // With one sample per pixel, colour = openness^(1/gamma) of the same point: 2e-6 allows for the GPU's pow.
-  const Image image = draw({"--layers", "ambient", "--gamma", "2", "--albedo", "white", "--samples", "1"});
+  const Image image =
+      draw({"--occlusion", "singh10", "--layers", "ambient", "--gamma", "2", "--albedo", "white", "--samples", "1"});
   const float openness = channel(image, "ambient.Y")[kMiddle];
   EXPECT_GT(openness, 0);
   EXPECT_LT(openness, 1);
   EXPECT_NEAR(channel(image, "R")[kMiddle], std::sqrt(openness), 2e-6);
 }
 
-TEST_F(BallPicture, DefaultsReadTwoVoxelsAboveAndShadeInLightGrey) {
-  // Without options the picture is the one of --occlusion-offset 2 --albedo #cccccc, and not that of the paper's 0.
+TEST_F(BallPicture, DefaultsSumOrdinatesOfGoodQualityInLightGrey) {
+  // Without options the picture is the one of --occlusion ordinates --quality good --albedo #cccccc, and not a draft.
   const Image plain = draw({});
-  EXPECT_TRUE(sameBits(plain, draw({"--occlusion-offset", "2", "--albedo", "#cccccc"})));
-  EXPECT_FALSE(sameBits(plain, draw({"--occlusion-offset", "0", "--albedo", "#cccccc"})));
+  EXPECT_TRUE(sameBits(plain, draw({"--occlusion", "ordinates", "--quality", "good", "--albedo", "#cccccc"})));
+  EXPECT_FALSE(sameBits(plain, draw({"--ordinates", "16"})));
+}
+
+TEST_F(BallPicture, OctantsAreReadTwoVoxelsAboveAndSingh10AtTheHit) {
+  // --occlusion octants differs from singh10 by where it reads.
+  const Image above = draw({"--occlusion", "octants"}), published = draw({"--occlusion", "singh10"});
+  EXPECT_TRUE(sameBits(above, draw({"--occlusion", "singh10", "--occlusion-offset", "2"})));
+  EXPECT_TRUE(sameBits(published, draw({"--occlusion", "octants", "--occlusion-offset", "0"})));
+  EXPECT_FALSE(sameBits(above, published));
 }
 
 TEST_F(BallPicture, WithoutOcclusionAHeadLightShades) {

@@ -15,7 +15,7 @@ Frame picture() {
   const GlScene scene = makeSphere();
   RenderSettings settings = layerSettings();
   settings.samples = 3;
-  settings.shading = Shading::occlusion;
+  settings.shading = Shading::octants;
   return renderOnce(scene, frameScene(scene), settings);
 }
 

@@ -12,12 +12,13 @@ namespace isolume::test {
 struct GlScene {
   Grid<float> level, distance;
   std::array<Grid<glm::u8vec4>, 2> octants;
+  Grid<std::uint16_t> openness;
   glm::dmat4 worldFromGrid{1};
   SceneFields fields() const;
 };
 
 /// distance(p) in grid-aligned physical space (p = spacing * index), < 0 inside, exact or below the true magnitude. The
-/// level is its negative. All octants are open (255). The world is grid-aligned space.
+/// level is its negative. All octants are open (255), and so is the openness (65535). The world is grid-aligned space.
 GlScene makeScene(glm::ivec3 size, glm::dvec3 spacing, const std::function<double(glm::dvec3)>& distance);
 
 /// A sphere about the middle of a cube of n samples; off the samples' symmetry by an odd shift.

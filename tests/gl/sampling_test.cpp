@@ -77,6 +77,7 @@ TEST(Sampling, LayersComeOnlyOnRequestAndMissesAreMarked) {
   // background.
   const GlScene scene = makeSphere(24, 7.3);
   RenderSettings settings = layerSettings();
+  settings.shading = Shading::octants;
   settings.background = {1, 0.5f, 0, 0.5f};
   const Frame frame = renderOnce(scene, frameScene(scene), settings);
   const std::size_t corner = 0, centre = frame.color.size() / 2 + static_cast<std::size_t>(frame.size.x) / 2;

@@ -64,7 +64,7 @@ struct BrokenShader {
   }
   std::string message() const {
     try {
-      buildProgram("shaders/fullscreen.vert", "shaders/march.frag", [this](std::string_view name) {
+      buildProgram("shaders/fullscreen.vert", "shaders/march_octants.frag", [this](std::string_view name) {
         return name == file ? std::string_view(text) : embeddedShader(name);
       });
     } catch (const GpuError& error) {
@@ -77,8 +77,8 @@ struct BrokenShader {
 TEST(ShaderSource, BrokenShaderReportsFileAndLine) {
   // A mistake in the shader itself and one in an included file are reported at their own file and line, in one line.
   const auto context = makeContext("osmesa");
-  const BrokenShader main("shaders/march.frag", "Hit hit = trace(ray);", "Hit hit = undeclared(ray);");
-  EXPECT_THAT(main.message(), StartsWith("shaders/march.frag:" + std::to_string(main.line) + ": error"));
+  const BrokenShader main("shaders/march/main.glsl", "Hit hit = trace(ray);", "Hit hit = undeclared(ray);");
+  EXPECT_THAT(main.message(), StartsWith("shaders/march/main.glsl:" + std::to_string(main.line) + ": error"));
   EXPECT_THAT(main.message(), HasSubstr("undeclared"));
   EXPECT_THAT(main.message(), ::testing::Not(HasSubstr("\n")));
   const BrokenShader included("shaders/lib/cell_cubic.glsl", "float low = bracket.low;", "float low = bracket.lowest;");

@@ -8,6 +8,7 @@
 #include "raymarch/gpu_error.h"
 #include "sweep/geometry_terms.h"
 #include "sweep/occlusion_sweep.h"
+#include "sweep/ordinates/openness_sweep.h"
 
 namespace isolume::test {
 namespace {
@@ -22,7 +23,7 @@ TEST(Shading, OpenSurfaceIsFullyLit) {
   // With every octant open, A = 1 whatever the normal: the eight tables sum to pi at every texel.
   const GlScene scene = makeSphere();
   RenderSettings settings = layerSettings();
-  settings.shading = Shading::occlusion;
+  settings.shading = Shading::octants;
   for (const Camera& camera : bothSides(scene)) {
     const Frame frame = renderOnce(scene, camera, settings);
     for (float ambient : frame.ambient) ASSERT_NEAR(ambient, 1, 1e-5);
@@ -35,7 +36,7 @@ TEST(Shading, EachOctantLightsItsOwnSide) {
   constexpr double kTolerance = 2e-4;
   GlScene scene = makeSphere();
   RenderSettings settings = layerSettings(60, 48);
-  settings.shading = Shading::occlusion;
+  settings.shading = Shading::octants;
   for (int octant = 0; octant < kOctantCount; ++octant) {
     for (int half = 0; half < 2; ++half) {
       glm::u8vec4 open(0);
@@ -63,7 +64,7 @@ TEST(Shading, VisibilityIsInterpolatedLinearly) {
     for (std::size_t i = 0; i < grid.count(); ++i) grid.data()[i] = glm::u8vec4(static_cast<std::uint8_t>(i % 48 * 5));
   }
   RenderSettings settings = layerSettings();
-  settings.shading = Shading::occlusion;
+  settings.shading = Shading::octants;
   const Frame frame = renderOnce(scene, frameScene(scene), settings);
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     // Exact but for float rounding, since the shader filters by hand: the hardware would round to 8 bits.
@@ -80,7 +81,7 @@ double roughness(float occlusionOffsetVoxels) {
   SweptFields swept = sweepOcclusion(scene.level.view());
   scene.octants = std::move(swept.visibility.packed);
   RenderSettings settings = layerSettings(200, 200);
-  settings.shading = Shading::occlusion;
+  settings.shading = Shading::octants;
   settings.occlusionOffsetVoxels = occlusionOffsetVoxels;
   const Frame frame = renderOnce(scene, frameScene(scene), settings);
   double largest = 0;
@@ -113,7 +114,7 @@ TEST(Shading, ACapIsAsOpenAsTheSurfaceBesideIt) {
   SweptFields swept = sweepOcclusion(scene.level.view());
   scene.octants = std::move(swept.visibility.packed);
   RenderSettings settings = layerSettings();
-  settings.shading = Shading::occlusion;
+  settings.shading = Shading::octants;
   settings.occlusionOffsetVoxels = 2;
   const Frame frame = renderOnce(scene, frameScene(scene), settings);
   int caps = 0;
@@ -162,6 +163,43 @@ TEST(Shading, DistanceNormalsFollowTheDistance) {
   EXPECT_GT(hits, 1000);
 }
 
+TEST(Shading, OpennessIsInterpolatedLinearly) {
+  // Openness that grows linearly along each axis is shown as it is at the hit, on the surface and on caps, in the last
+  // cells too: eight texels weighed in float, of 16 bits.
+  GlScene scene = makeScene({40, 30, 20}, glm::dvec3(1, 1.3, 1.7), [](glm::dvec3 p) {
+    return glm::length(p - glm::dvec3(30, 20, 17)) - 15;  // cut by three faces
+  });
+  const auto valueAt = [](glm::dvec3 index) { return 1000 + 700 * index.x + 500 * index.y + 900 * index.z; };
+  for (int z = 0; z < 20; ++z)
+    for (int y = 0; y < 30; ++y)
+      for (int x = 0; x < 40; ++x) scene.openness.view()(x, y, z) = static_cast<std::uint16_t>(valueAt({x, y, z}));
+  RenderSettings settings = layerSettings();
+  settings.shading = Shading::openness;
+  int hits = 0;
+  for (const Camera& camera : bothSides(scene)) {
+    const Frame frame = renderOnce(scene, camera, settings);
+    for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+      if (!std::isfinite(frame.depth[i])) continue;
+      ++hits;
+      const glm::dvec3 index = glm::dvec3(frame.position[i]) / glm::dvec3(1, 1.3, 1.7);
+      ASSERT_NEAR(frame.ambient[i], valueAt(index) / 65535, 2e-5) << i;
+    }
+  }
+  EXPECT_GT(hits, 1000);
+}
+
+TEST(Shading, SweptOpennessOfABallIsOne) {
+  // A ball in the open, swept and drawn: openness within .01 of 1 at every pixel.
+  GlScene scene = makeSphere();
+  scene.openness = sweepOpenness(scene.fields().level, scene.fields().distance);
+  RenderSettings settings = layerSettings();
+  settings.shading = Shading::openness;
+  for (const Camera& camera : bothSides(scene)) {
+    const Frame frame = renderOnce(scene, camera, settings);
+    for (const float ambient : frame.ambient) ASSERT_NEAR(ambient, 1, 0.01);
+  }
+}
+
 TEST(Shading, OcclusionNeedsOctants) {
   // A scene without octants renders with local shading and has no ambient layer; by occlusion it is an error.
   const GlScene scene = makeSphere();
@@ -174,7 +212,11 @@ TEST(Shading, OcclusionNeedsOctants) {
   EXPECT_TRUE(frame.ambient.empty());
   EXPECT_FALSE(frame.normal.empty());
   RenderSettings settings = layerSettings();
-  settings.shading = Shading::occlusion;
+  settings.shading = Shading::octants;
+  EXPECT_THROW(renderer.render(frameScene(scene), settings), GpuError);
+  fields.openness = {};
+  renderer.upload(fields);
+  settings.shading = Shading::openness;
   EXPECT_THROW(renderer.render(frameScene(scene), settings), GpuError);
 }
 

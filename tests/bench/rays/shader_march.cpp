@@ -18,7 +18,7 @@ using uint = unsigned int;
 #include "shaders/shared/beam_block.h"
 #include "shaders/shared/clearance_code.h"
 
-// As in march.frag.
+// As in the march shaders.
 struct Hit {
   bool found;
   vec3 position;

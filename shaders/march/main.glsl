@@ -1,0 +1,24 @@
+// One pixel: the first crossing of the isosurface along its ray, and its shade by the entry's hitLight(). All in index
+// space, where sample (i, j, k) lies at (i, j, k), the solid is { level > 0 } in the box [0, size - 1], and nothing lies
+// outside the box.
+layout(location = 0) out vec4 outColor;     // linear, premultiplied
+layout(location = 1) out vec4 outNormal;    // grid axes, unit, out of the solid; w: light, before gamma
+layout(location = 2) out vec4 outPosition;  // index space; w: 1 where something is hit
+
+void main() {
+  Ray ray = cameraRay(frame.planePoint, frame.planeX, frame.planeY, frame.eye, frame.scale,
+                      gl_FragCoord.xy + pixelOrigin);
+  Hit hit = trace(ray);
+  if (!hit.found) {
+    outColor = frame.background;
+    outNormal = vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    outPosition = vec4(0.0f);
+    return;
+  }
+  vec3 viewer = -ray.direction * frame.scale.xyz;
+  vec3 normal = hitNormal(hit, viewer);
+  float light = hitLight(hit.position, normal, viewer);
+  outColor = vec4(frame.albedo.rgb * pow(light, frame.albedo.w), 1.0f);
+  outNormal = vec4(normal, light);
+  outPosition = vec4(hit.position, 1.0f);
+}

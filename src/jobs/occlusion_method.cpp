@@ -1,0 +1,172 @@
+#include "src/jobs/occlusion_method.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "src/errors.h"
+#include "src/jobs/calibration_text.h"
+
+namespace isolume {
+namespace {
+
+constexpr double kDraftError = 0.05, kGoodError = 0.025;
+/// Voxels above the surface at which self-occlusion by Eq. 7 no longer shows, [Singh10] read at the hit.
+constexpr double kOctantOffset = 2;
+
+constexpr std::array<std::pair<OcclusionMethod, const char*>, 4> kNames{{{OcclusionMethod::singh10, "singh10"},
+                                                                         {OcclusionMethod::octants, "octants"},
+                                                                         {OcclusionMethod::ordinates, "ordinates"},
+                                                                         {OcclusionMethod::none, "none"}}};
+
+void checkCompatible(const OcclusionRequest& request) {
+  const int knobs = (request.ordinates ? 1 : 0) + (request.quality ? 1 : 0) + (request.error ? 1 : 0);
+  if (knobs > 1)
+    throw UsageError("expected one of --ordinates, --quality and --error: each alone settles how exact openness is");
+  if (request.refinement && !request.ordinates)
+    throw UsageError("--refinement: expected --ordinates beside it; --quality and --error choose both");
+  if (!request.method) {
+    if (request.offset)
+      throw UsageError(
+          "--occlusion-offset: expected --occlusion singh10 or octants beside it: ordinates are summed at "
+          "the surface");
+    return;
+  }
+  const bool byOctants = *request.method == OcclusionMethod::singh10 || *request.method == OcclusionMethod::octants;
+  if (request.offset && !byOctants)
+    throw UsageError(fmt::format("--occlusion-offset: expected --occlusion singh10 or octants beside it, found {}",
+                                 occlusionName(*request.method)));
+  const char* knob = request.ordinates ? "--ordinates" : request.quality ? "--quality" : "--error";
+  if (knobs > 0 && *request.method != OcclusionMethod::ordinates)
+    throw UsageError(fmt::format("{}: expected --occlusion ordinates beside it, or none, found {}", knob,
+                                 occlusionName(*request.method)));
+}
+
+using Settings = std::vector<const CalibratedSetting*>;
+
+Settings candidates(const OcclusionRequest& request, const std::vector<CalibratedSetting>& calibration) {
+  Settings found;
+  for (const CalibratedSetting& each : calibration)
+    if (each.setting.method == request.method.value_or(each.setting.method)) found.push_back(&each);
+  return found;
+}
+
+OcclusionSetting leastError(const Settings& settings) {
+  const auto errorOf = [](const CalibratedSetting* each) { return each->setting.error.value(); };
+  return (*std::min_element(settings.begin(), settings.end(), [&](auto a, auto b) { return errorOf(a) < errorOf(b); }))
+      ->setting;
+}
+
+OcclusionSetting cheapest(const Settings& settings, double error) {
+  const CalibratedSetting* best = nullptr;
+  for (const CalibratedSetting* each : settings)
+    if (each->setting.error.value() <= error && (!best || each->seconds < best->seconds)) best = each;
+  if (!best)
+    throw UsageError(fmt::format("--error: expected at least {:.4f}, the least calibrated one, found {}",
+                                 leastError(settings).error.value(), error));
+  return best->setting;
+}
+
+/// Its error is that of the next calibrated setting with fewer ordinates, which is no smaller.
+OcclusionSetting withOrdinates(const OcclusionRequest& request, const std::vector<CalibratedSetting>& calibration) {
+  OcclusionSetting setting;
+  const int ordinates = request.ordinates.value();
+  setting.ordinates.ordinates = ordinates;
+  setting.ordinates.refinement = request.refinement.value_or(setting.ordinates.refinement);
+  int most = 0;
+  for (const CalibratedSetting& each : calibration) {
+    const OrdinateOptions& other = each.setting.ordinates;
+    if (each.setting.method != OcclusionMethod::ordinates || other.refinement != setting.ordinates.refinement) continue;
+    if (other.ordinates > ordinates || other.ordinates <= most) continue;
+    most = other.ordinates;
+    setting.error = each.setting.error;
+  }
+  return setting;
+}
+
+OcclusionMethod methodNamed(const std::string& name) {
+  for (const auto& [method, known] : kNames)
+    if (name == known) return method;
+  throw std::runtime_error(fmt::format("calibration: expected a method, found '{}'", name));
+}
+
+}  // namespace
+
+std::string occlusionName(OcclusionMethod method) {
+  return std::find_if(kNames.begin(), kNames.end(), [method](const auto& each) { return each.first == method; })
+      ->second;
+}
+
+std::vector<CalibratedSetting> parseCalibration(const std::string& json) {
+  std::vector<CalibratedSetting> calibration;
+  const auto root = nlohmann::json::parse(json);
+  for (const auto& entry : root.at("settings")) {
+    CalibratedSetting each;
+    each.setting.method = methodNamed(entry.at("occlusion"));
+    if (each.setting.method == OcclusionMethod::ordinates) {
+      each.setting.ordinates.ordinates = entry.at("ordinates");
+      each.setting.ordinates.refinement = entry.at("refinement");
+    } else {
+      each.setting.offset = entry.at("occlusion-offset");
+    }
+    double error = 0;
+    for (const auto& scene : entry.at("scenes")) error = std::max(error, scene.at("rmse").get<double>());
+    each.setting.error = error;
+    each.seconds = entry.at("seconds");
+    calibration.push_back(each);
+  }
+  if (calibration.empty()) throw std::runtime_error("calibration: expected settings, found none");
+  return calibration;
+}
+
+const std::vector<CalibratedSetting>& occlusionCalibration() {
+  static const std::vector<CalibratedSetting> calibration = parseCalibration(kCalibrationText);
+  return calibration;
+}
+
+OcclusionSetting chooseOcclusion(const OcclusionRequest& request, const std::vector<CalibratedSetting>& calibration) {
+  checkCompatible(request);
+  const OcclusionMethod method = request.method.value_or(OcclusionMethod::ordinates);
+  OcclusionSetting setting;
+  setting.method = method;
+  if (method == OcclusionMethod::none) return setting;
+  if (method != OcclusionMethod::ordinates) {
+    setting.offset = request.offset.value_or(method == OcclusionMethod::singh10 ? 0 : kOctantOffset);
+    for (const CalibratedSetting& each : calibration)
+      if (each.setting.method == method && each.setting.offset == setting.offset) setting.error = each.setting.error;
+    return setting;
+  }
+  if (request.ordinates) return withOrdinates(request, calibration);
+  const Settings settings = candidates(request, calibration);
+  if (request.error) return cheapest(settings, *request.error);
+  const OcclusionQuality quality = request.quality.value_or(OcclusionQuality::good);
+  if (quality == OcclusionQuality::best) return leastError(settings);
+  return cheapest(settings, quality == OcclusionQuality::draft ? kDraftError : kGoodError);
+}
+
+nlohmann::ordered_json occlusionSettings(const OcclusionSetting& setting) {
+  nlohmann::ordered_json settings;
+  settings["occlusion"] = occlusionName(setting.method);
+  if (setting.method == OcclusionMethod::ordinates) {
+    settings["ordinates"] = setting.ordinates.ordinates;
+    settings["refinement"] = setting.ordinates.refinement;
+  } else if (setting.method != OcclusionMethod::none) {
+    settings["occlusion-offset"] = setting.offset;
+  }
+  return settings;
+}
+
+const char* givenOption(const OcclusionRequest& request) {
+  return request.method       ? "--occlusion"
+         : request.ordinates  ? "--ordinates"
+         : request.quality    ? "--quality"
+         : request.error      ? "--error"
+         : request.refinement ? "--refinement"
+         : request.offset     ? "--occlusion-offset"
+                              : nullptr;
+}
+
+}  // namespace isolume
