@@ -28,7 +28,14 @@ glm::dvec3 descent(GridView<const float> level, glm::ivec3 at) {
   return gradient;
 }
 
-// Out of the box at a sample on its border; along a diagonal at its edges and corners.
+// 0 for 0.
+glm::dvec3 unit(glm::dvec3 v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : glm::dvec3(0);
+}
+
+// Out of the box at a sample on its border; along a diagonal at its edges and corners. Not of unit length; 0 where the
+// box is one sample thin, with two faces that cancel out.
 glm::dvec3 capNormal(glm::ivec3 at, glm::ivec3 size) {
   glm::dvec3 normal{0};
   for (int axis = 0; axis < 3; ++axis) {
@@ -135,11 +142,7 @@ void SurfaceFeet::forEachFoot(int z, const Visit& visit) const {
 }
 
 // Unit, or 0 at a flat spot.
-glm::dvec3 SurfaceFeet::normalAt(glm::ivec3 at) const {
-  const glm::dvec3 down = descent(level_, at);
-  const double length = glm::length(down);
-  return length > 0 ? down / length : glm::dvec3(0);
-}
+glm::dvec3 SurfaceFeet::normalAt(glm::ivec3 at) const { return unit(descent(level_, at)); }
 
 glm::dvec3 SurfaceFeet::footPosition(glm::ivec3 at, glm::dvec3 normal) const {
   // The sample is next to the surface: farther than a cell's diagonal is a flaw of the distance.
@@ -150,7 +153,7 @@ glm::dvec3 SurfaceFeet::footPosition(glm::ivec3 at, glm::dvec3 normal) const {
 
 SurfaceFoot SurfaceFeet::footOf(glm::ivec3 at) const {
   const bool cap = level_(at.x, at.y, at.z) > 0;
-  if (cap) return {glm::vec3(at), glm::vec3(glm::normalize(capNormal(at, level_.size)))};
+  if (cap) return {glm::vec3(at), glm::vec3(unit(capNormal(at, level_.size)))};
   const glm::dvec3 normal = normalAt(at);
   return {glm::vec3(footPosition(at, normal)), glm::vec3(normal)};
 }
