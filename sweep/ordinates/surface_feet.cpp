@@ -161,20 +161,26 @@ SurfaceFoot SurfaceFeet::footOf(glm::ivec3 at) const {
 std::uint16_t SurfaceFeet::insideValue(glm::ivec3 at, GridView<const std::uint16_t> values) const {
   // Even an outside corner with no weight counts a little: there may be none but such.
   constexpr float kLeastWeight = 1e-3F;
+  float sum = 0, weights = 0;
+  const auto add = [&](glm::ivec3 sample, float weight) {
+    if ((hasFoot_.row(sample.y, sample.z)[sample.x / kBits] >> (sample.x % kBits) & 1) == 0) return;
+    sum += weight * static_cast<float>(values(sample.x, sample.y, sample.z));
+    weights += weight;
+  };
   const glm::vec3 position(footPosition(at, normalAt(at)));
   const glm::ivec3 low = glm::min(glm::ivec3(position), glm::max(level_.size - 2, glm::ivec3(0)));
   const glm::vec3 part = position - glm::vec3(low);
-  float sum = 0, weights = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::ivec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::ivec3 sample = glm::min(low + side, level_.size - 1);
-    if ((hasFoot_.row(sample.y, sample.z)[sample.x / kBits] >> (sample.x % kBits) & 1) == 0) continue;
-    const float weight = kLeastWeight + (side.x != 0 ? part.x : 1 - part.x) * (side.y != 0 ? part.y : 1 - part.y) *
-                                            (side.z != 0 ? part.z : 1 - part.z);
-    sum += weight * static_cast<float>(values(sample.x, sample.y, sample.z));
-    weights += weight;
+    add(glm::min(low + side, level_.size - 1), kLeastWeight + (side.x != 0 ? part.x : 1 - part.x) *
+                                                                  (side.y != 0 ? part.y : 1 - part.y) *
+                                                                  (side.z != 0 ? part.z : 1 - part.z));
   }
-  return weights > 0 ? static_cast<std::uint16_t>(std::lround(sum / weights)) : std::uint16_t{0};
+  // At a rim or a thin wall the gradient may lead into a cell that is all inside. Of the 26 around, which there are
+  // since it is no cap, some have a foot: it is next to the surface.
+  if (weights == 0)
+    for (int i = 0; i < 27; ++i) add(at + glm::ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), 1);
+  return static_cast<std::uint16_t>(std::lround(sum / weights));
 }
 
 void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values) const {
