@@ -1,0 +1,9 @@
+isolume_test(test_ordinates
+  ordinates/ordinate_set_test.cpp
+  ordinates/ray_points_test.cpp
+  ordinates/sheared_rays_test.cpp
+  ordinates/solid_lattice_test.cpp
+  ordinates/surface_feet_test.cpp
+  support/plain_rays.cpp
+  support/random_grids.cpp
+  LIBS isolume_sweep hwy::hwy)
