@@ -11,7 +11,7 @@
 namespace isolume {
 
 /// `count` unit vectors in world space, count >= 1. With equal weights their clamped cosines add up to count / 4 for
-/// any normal, to about 1 / sqrt(count^3).
+/// any normal, to about 0.6 / count^(1/4) (measured).
 std::vector<glm::dvec3> ordinateDirections(int count);
 
 }  // namespace isolume

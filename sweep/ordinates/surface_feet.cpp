@@ -28,7 +28,14 @@ glm::dvec3 descent(GridView<const float> level, glm::ivec3 at) {
   return gradient;
 }
 
-// Out of the box at a sample on its border; along a diagonal at its edges and corners.
+// 0 for 0.
+glm::dvec3 unit(glm::dvec3 v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : glm::dvec3(0);
+}
+
+// Out of the box at a sample on its border; along a diagonal at its edges and corners. Not of unit length; 0 where the
+// box is one sample thin, with two faces that cancel out.
 glm::dvec3 capNormal(glm::ivec3 at, glm::ivec3 size) {
   glm::dvec3 normal{0};
   for (int axis = 0; axis < 3; ++axis) {
@@ -135,11 +142,7 @@ void SurfaceFeet::forEachFoot(int z, const Visit& visit) const {
 }
 
 // Unit, or 0 at a flat spot.
-glm::dvec3 SurfaceFeet::normalAt(glm::ivec3 at) const {
-  const glm::dvec3 down = descent(level_, at);
-  const double length = glm::length(down);
-  return length > 0 ? down / length : glm::dvec3(0);
-}
+glm::dvec3 SurfaceFeet::normalAt(glm::ivec3 at) const { return unit(descent(level_, at)); }
 
 glm::dvec3 SurfaceFeet::footPosition(glm::ivec3 at, glm::dvec3 normal) const {
   // The sample is next to the surface: farther than a cell's diagonal is a flaw of the distance.
@@ -150,7 +153,7 @@ glm::dvec3 SurfaceFeet::footPosition(glm::ivec3 at, glm::dvec3 normal) const {
 
 SurfaceFoot SurfaceFeet::footOf(glm::ivec3 at) const {
   const bool cap = level_(at.x, at.y, at.z) > 0;
-  if (cap) return {glm::vec3(at), glm::vec3(glm::normalize(capNormal(at, level_.size)))};
+  if (cap) return {glm::vec3(at), glm::vec3(unit(capNormal(at, level_.size)))};
   const glm::dvec3 normal = normalAt(at);
   return {glm::vec3(footPosition(at, normal)), glm::vec3(normal)};
 }
@@ -158,20 +161,26 @@ SurfaceFoot SurfaceFeet::footOf(glm::ivec3 at) const {
 std::uint16_t SurfaceFeet::insideValue(glm::ivec3 at, GridView<const std::uint16_t> values) const {
   // Even an outside corner with no weight counts a little: there may be none but such.
   constexpr float kLeastWeight = 1e-3F;
+  float sum = 0, weights = 0;
+  const auto add = [&](glm::ivec3 sample, float weight) {
+    if ((hasFoot_.row(sample.y, sample.z)[sample.x / kBits] >> (sample.x % kBits) & 1) == 0) return;
+    sum += weight * static_cast<float>(values(sample.x, sample.y, sample.z));
+    weights += weight;
+  };
   const glm::vec3 position(footPosition(at, normalAt(at)));
   const glm::ivec3 low = glm::min(glm::ivec3(position), glm::max(level_.size - 2, glm::ivec3(0)));
   const glm::vec3 part = position - glm::vec3(low);
-  float sum = 0, weights = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::ivec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::ivec3 sample = glm::min(low + side, level_.size - 1);
-    if ((hasFoot_.row(sample.y, sample.z)[sample.x / kBits] >> (sample.x % kBits) & 1) == 0) continue;
-    const float weight = kLeastWeight + (side.x != 0 ? part.x : 1 - part.x) * (side.y != 0 ? part.y : 1 - part.y) *
-                                            (side.z != 0 ? part.z : 1 - part.z);
-    sum += weight * static_cast<float>(values(sample.x, sample.y, sample.z));
-    weights += weight;
+    add(glm::min(low + side, level_.size - 1), kLeastWeight + (side.x != 0 ? part.x : 1 - part.x) *
+                                                                  (side.y != 0 ? part.y : 1 - part.y) *
+                                                                  (side.z != 0 ? part.z : 1 - part.z));
   }
-  return weights > 0 ? static_cast<std::uint16_t>(std::lround(sum / weights)) : std::uint16_t{0};
+  // At a rim or a thin wall the gradient may lead into a cell that is all inside. Of the 26 around, which there are
+  // since it is no cap, some have a foot: it is next to the surface.
+  if (weights == 0)
+    for (int i = 0; i < 27; ++i) add(at + glm::ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), 1);
+  return static_cast<std::uint16_t>(std::lround(sum / weights));
 }
 
 void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values) const {

@@ -20,7 +20,7 @@ namespace isolume {
 
 struct SurfaceFoot {
   glm::vec3 position{0};  ///< on the surface, index space
-  glm::vec3 normal{0};    ///< unit, world units along the grid's axes, out of the solid; 0 at a flat spot
+  glm::vec3 normal{0};    ///< unit, world units along the grid's axes, out of the solid; 0 at a flat spot or thin cap
 };
 
 class SurfaceFeet {

@@ -1,0 +1,23 @@
+// Points of no surface in particular, for rays to start at.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "support/random_numbers.h"
+#include "sweep/ordinates/surface_feet.h"
+
+namespace isolume::test {
+
+/// Up to 3 samples beyond a grid of that size; every third at whole or half samples, every ninth without a normal.
+inline std::vector<SurfaceFoot> randomFeet(glm::ivec3 size, int count, RandomNumbers& numbers) {
+  std::vector<SurfaceFoot> feet;
+  for (int i = 0; i < count; ++i) {
+    glm::dvec3 position = numbers.inCube() * (glm::dvec3(size) + 5.0) - 3.0;
+    if (i % 3 == 0) position = glm::round(position * 2.0) / 2.0;
+    feet.push_back({glm::vec3(position), i % 9 == 4 ? glm::vec3(0) : glm::vec3(numbers.direction())});
+  }
+  return feet;
+}
+
+}  // namespace isolume::test
