@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -13,7 +15,9 @@
 namespace isolume {
 namespace {
 
-constexpr double kDraftError = 0.05, kGoodError = 0.025;
+constexpr double kDraftError = 0.05, kGoodError = 0.02;
+/// Where many more ordinates gain no more than that they are not worth their time.
+constexpr double kBestTolerance = 1.05;
 /// Voxels above the surface at which self-occlusion by Eq. 7 no longer shows, [Singh10] read at the hit.
 constexpr double kOctantOffset = 2;
 
@@ -54,10 +58,10 @@ Settings candidates(const OcclusionRequest& request, const std::vector<Calibrate
   return found;
 }
 
-OcclusionSetting leastError(const Settings& settings) {
-  const auto errorOf = [](const CalibratedSetting* each) { return each->setting.error.value(); };
-  return (*std::min_element(settings.begin(), settings.end(), [&](auto a, auto b) { return errorOf(a) < errorOf(b); }))
-      ->setting;
+double leastError(const Settings& settings) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const CalibratedSetting* each : settings) least = std::min(least, each->setting.error.value());
+  return least;
 }
 
 OcclusionSetting cheapest(const Settings& settings, double error) {
@@ -66,7 +70,7 @@ OcclusionSetting cheapest(const Settings& settings, double error) {
     if (each->setting.error.value() <= error && (!best || each->seconds < best->seconds)) best = each;
   if (!best)
     throw UsageError(fmt::format("--error: expected at least {:.4f}, the least calibrated one, found {}",
-                                 leastError(settings).error.value(), error));
+                                 leastError(settings), error));
   return best->setting;
 }
 
@@ -112,9 +116,9 @@ std::vector<CalibratedSetting> parseCalibration(const std::string& json) {
     } else {
       each.setting.offset = entry.at("occlusion-offset");
     }
-    double error = 0;
-    for (const auto& scene : entry.at("scenes")) error = std::max(error, scene.at("rmse").get<double>());
-    each.setting.error = error;
+    double squares = 0;
+    for (const auto& scene : entry.at("scenes")) squares += std::pow(scene.at("rmse").get<double>(), 2);
+    each.setting.error = std::sqrt(squares / static_cast<double>(entry.at("scenes").size()));
     each.seconds = entry.at("seconds");
     calibration.push_back(each);
   }
@@ -143,7 +147,7 @@ OcclusionSetting chooseOcclusion(const OcclusionRequest& request, const std::vec
   const Settings settings = candidates(request, calibration);
   if (request.error) return cheapest(settings, *request.error);
   const OcclusionQuality quality = request.quality.value_or(OcclusionQuality::good);
-  if (quality == OcclusionQuality::best) return leastError(settings);
+  if (quality == OcclusionQuality::best) return cheapest(settings, kBestTolerance * leastError(settings));
   return cheapest(settings, quality == OcclusionQuality::draft ? kDraftError : kGoodError);
 }
 

@@ -21,7 +21,7 @@ enum class OcclusionMethod {
   none,       ///< a head light
 };
 
-/// Bounds on the calibrated error: draft .05, good .025; best is the least that there is.
+/// Bounds on the calibrated error: draft .05, good .02; best is the least that there is, or within a twentieth of it.
 enum class OcclusionQuality { draft, good, best };
 
 struct OcclusionRequest {

@@ -38,7 +38,7 @@ nlohmann::ordered_json pictureSettings(const RenderJob& job, const OcclusionSett
   return settings;
 }
 
-std::string calibratedText(double error) { return fmt::format("{:.4f} at most on the reference scenes", error); }
+std::string calibratedText(double error) { return fmt::format("{:.4f} on the reference scenes", error); }
 
 }  // namespace
 

@@ -14,9 +14,9 @@
 #define ISOLUME_SWEEP_SHEARED_RAYS_ONCE
 namespace isolume {
 
-// A position beyond the lattice by kBeyondLattice, plus a step of at most as many layers and kMostSkipped more, plus
-// half a point: 7.3 rows.
-inline constexpr int kGuardRows = 8;
+// Rows of zeros to each side: one that a shift by a row takes in and a read beyond the lattice is sent to, and one more
+// for the bit before that row's first.
+inline constexpr int kGuardRows = 2;
 inline constexpr int kWordBits = BitRows::kWordBits;
 
 // B of one direction in the last kKeptLayers layers: rows of bits between guard rows of zeros. Rows end in zeros
@@ -123,8 +123,11 @@ void readLayer(const LatticeLayers& lattice, int towards, const std::vector<RayD
   const auto one = hn::Set(di, 1);
   // Places within a layer are whole numbers below 2^24: exact in float.
   const auto rowBits = hn::Set(d, static_cast<float>(lattice.words * kWordBits));
-  const auto firstBit = hn::Set(d, -1.0F), lastBit = hn::Set(d, static_cast<float>(lattice.length));
+  const auto justBefore = hn::Set(d, -1.0F), lastBit = hn::Set(d, static_cast<float>(lattice.length)),
+             lastRow = hn::Set(d, static_cast<float>(lattice.rows));
   const auto farthest = hn::Set(d, kBeyondLattice);
+  const auto perBit = hn::Set(d, 1 / lattice.cellBit), perRow = hn::Set(d, 1 / lattice.cellRow),
+             perLayer = hn::Set(d, 1 / lattice.cellLayer);
   std::array<std::int32_t, kMostSkipped + 1> kept{};  // first word, of 32 bits, of the layers on
   for (int j = 0; j <= kMostSkipped; ++j)
     kept[static_cast<std::size_t>(j)] =
@@ -159,14 +162,18 @@ void readLayer(const LatticeLayers& lattice, int towards, const std::vector<RayD
         skip = hn::Lt(height, toClear);
         height = hn::Add(height, rise);
       }
-      const auto placeOf = [&](auto at, float lag, float slope, const auto& on) {
-        const auto nearest = hn::Round(hn::Add(hn::Sub(at, hn::Set(d, lag)), hn::Mul(ahead, hn::Set(d, slope))));
-        return hn::Add(nearest, skipped(d, on, skips));
+      // What is still missing after these layers, the ray is lifted by along the normal.
+      const auto missing = hn::Max(hn::Sub(toClear, height), hn::Zero(d));
+      const auto layersUp = hn::Mul(hn::Mul(missing, nl), perLayer);
+      const auto placeOf = [&](auto at, float lag, float slope, const auto& on, auto normal, auto perCell) {
+        const auto along = hn::Mul(hn::Sub(ahead, layersUp), hn::Set(d, slope));
+        const auto lifted = hn::Add(hn::Sub(at, hn::Set(d, lag)), hn::Mul(hn::Mul(missing, normal), perCell));
+        return hn::Add(hn::Round(hn::Add(lifted, along)), skipped(d, on, skips));
       };
-      // Beyond either end of a row there is a bit that is 0.
+      // Beyond either end of a row there is a bit that is 0, and beyond the first and last row one of zeros.
       const auto slopeBit = static_cast<float>(to.slopeBit), slopeRow = static_cast<float>(to.slopeRow);
-      const auto x = hn::Min(hn::Max(placeOf(bit, step.lagBit, slopeBit, step.onBit), firstBit), lastBit);
-      const auto y = placeOf(row, step.lagRow, slopeRow, step.onRow);
+      const auto x = hn::Min(hn::Max(placeOf(bit, step.lagBit, slopeBit, step.onBit, nb, perBit), justBefore), lastBit);
+      const auto y = hn::Min(hn::Max(placeOf(row, step.lagRow, slopeRow, step.onRow, nr, perRow), justBefore), lastRow);
       const auto place = hn::ConvertTo(di, hn::Add(hn::Mul(y, rowBits), x));
       hn::Mask<decltype(di)> whole[kMostSkipped];
       for (int j = 0; j < kMostSkipped; ++j) whole[j] = hn::RebindMask(di, skips[j]);

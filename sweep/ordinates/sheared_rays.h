@@ -10,7 +10,9 @@
 // from the true one by at most one lattice point along each of the two axes: half by the choice of the ray, half by its
 // rounding. So a plane through q, whose lattice points form steps, may block rays that truly leave it: until the ray is
 // higher over the plane than the width of a cell along the normal. The point is lifted by kLift of that, and what is
-// met before the ray has risen to kClearance of it is not asked for: B is read up to kMostSkipped layers on. Against a
+// met before the ray has risen to kClearance of it is not asked for: B is read up to kMostSkipped layers on,
+// and what a ray is still too low then, it is lifted by. So a plane never darkens itself; light almost along a surface
+// passes what is thinner than kMostSkipped points and next to it. Against a
 // lift by .7 alone, on betaGal.mrc (100^3, 256 directions, refinement 1), RMSE falls from .036 to .017.
 //
 // Cost: one OR per lattice point and ordinate, 1/256 instruction each; a point's reading is a gather. State: one layer

@@ -28,7 +28,7 @@ TEST_F(Terminal, ShowsOneLineThatIsErasedAtTheEnd) {
   if (!hasPseudoTerminals()) GTEST_SKIP() << "no pseudo-terminals here, so no terminal to show progress on";
   const std::string shown = errorOf({}, true);
   for (const char* part :
-       {"reading ", "sweeping distance over 17x17x17 voxels", "sweeping visibility", "drawing", "writing out.png"})
+       {"reading ", "sweeping distance over 17x17x17 voxels", "ordinates over 17x17x17 voxels", "drawing", "writing out.png"})
     EXPECT_THAT(shown, HasSubstr(part));
   const std::size_t lastErased = shown.rfind(kEraseLine);
   ASSERT_NE(lastErased, std::string::npos);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ordinates/blocked_feet.h"
 #include "ordinates/swept_openness.h"
 #include "support/random_numbers.h"
 
@@ -21,11 +20,11 @@ Grid<float> planeLevel(glm::dvec3 normal, glm::dvec3 spacing) {
 }
 
 template <class Visit>
-void forEachTilt(int tilts, const Visit& visit) {
+void forEachTilt(const Visit& visit) {
   for (const glm::dvec3& spacing : kSpacings)
     for (const int refinement : {1, 2}) {
       test::RandomNumbers numbers(9);
-      for (int i = 0; i < tilts; ++i) visit(numbers.direction(), spacing, refinement);
+      for (int i = 0; i < kTilts; ++i) visit(numbers.direction(), spacing, refinement);
     }
 }
 
@@ -34,24 +33,9 @@ int marginOf(glm::dvec3 spacing) {
   return static_cast<int>(std::ceil(glm::length(spacing) / smallestSpacing(spacing))) + 1;
 }
 
-TEST(OpenPlane, LiftedByACellsWidthMeetsNoneOfItsOwnSteps) {
-  // No ray from a point that is a lattice cell's width off its plane meets that plane's steps, whatever the tilt, the
-  // spacing and the refinement; .85 of that width does not do (40 % of the tilts).
-  int tooLow = 0;
-  forEachTilt(kTilts, [&](glm::dvec3 normal, glm::dvec3 spacing, int refinement) {
-    const Grid<float> level = planeLevel(normal, spacing);
-    const OrdinateOptions options{.ordinates = 256, .refinement = refinement};
-    ASSERT_EQ(test::blockedFeet(level.view(), options, 1, marginOf(spacing)), 0)
-        << normal.x << " " << normal.y << " " << normal.z << " refinement " << refinement;
-    if (tooLow == 0) tooLow = test::blockedFeet(level.view(), options, 0.85, marginOf(spacing));
-  });
-  EXPECT_GT(tooLow, 0);
-}
-
-// Largest and mean deviation from 1 of the samples next to the plane, away from the border.
+// Largest deviation from 1 of the samples next to the plane, away from the border.
 struct Deviation {
-  double largest = 0, sum = 0;
-  int samples = 0;
+  double largest = 0;
 };
 Deviation deviationOf(glm::dvec3 normal, glm::dvec3 spacing, int refinement) {
   const Grid<float> level = planeLevel(normal, spacing);
@@ -62,30 +46,14 @@ Deviation deviationOf(glm::dvec3 normal, glm::dvec3 spacing, int refinement) {
     if (!test::isNextToSurface(level.view(), at)) return;
     const double deviation = 1 - values.view()(at.x, at.y, at.z) / test::kOpen;
     found.largest = std::max(found.largest, deviation);
-    found.sum += deviation;
-    ++found.samples;
   });
   return found;
 }
 
-TEST(OpenPlane, IsOpenOnTheMean) {
-  // Over random tilts the mean deviation from 1 stays below 1.2 times what was measured, 3.1e-4 at spacing 1:1:1,
-  // 7.9e-4 at 1:2:3 and 7.1e-4 at 3:1:2. How far single samples are off: below.
-  constexpr double kBounds[] = {3.8e-4, 9.5e-4, 8.6e-4};
-  double sums[3] = {}, samples[3] = {};
-  forEachTilt(kTilts / 4, [&](glm::dvec3 normal, glm::dvec3 spacing, int refinement) {
-    const Deviation each = deviationOf(normal, spacing, refinement);
-    const auto* k = std::find(std::begin(kSpacings), std::end(kSpacings), spacing);
-    sums[k - kSpacings] += each.sum;
-    samples[k - kSpacings] += each.samples;
-  });
-  for (int k = 0; k < 3; ++k) EXPECT_LT(sums[k] / samples[k], kBounds[k]) << "spacing " << k;
-}
-
-TEST(OpenPlane, DISABLED_IsOpenEverywhere) {
-  // Every sample next to a plane is open to .01, whatever the tilt. Disabled: points are lifted by .7 of a cell's
-  // width, and nearly aligned planes block up to .10 of a sample's light (.14 at spacing 1:2:3); none with a lift of 1.
-  forEachTilt(kTilts, [&](glm::dvec3 normal, glm::dvec3 spacing, int refinement) {
+TEST(OpenPlane, IsOpenEverywhere) {
+  // Every sample next to a plane is open to .01, whatever the tilt, the spacing and the refinement. Without what low
+  // rays are lifted by, nearly aligned planes block up to .1 of a sample's light.
+  forEachTilt([&](glm::dvec3 normal, glm::dvec3 spacing, int refinement) {
     EXPECT_LT(deviationOf(normal, spacing, refinement).largest, 0.01)
         << normal.x << " " << normal.y << " " << normal.z << " refinement " << refinement;
   });

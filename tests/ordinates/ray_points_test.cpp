@@ -13,7 +13,6 @@ namespace isolume {
 namespace {
 
 constexpr glm::dvec3 kSpacing(1, 2, 0.5);
-constexpr double kLift = 0.7;
 
 SolidLattice latticeOf(glm::ivec3 size, int refinement) {
   const Grid<float> level = test::noiseLevel(size, kSpacing, 1);
@@ -29,7 +28,7 @@ TEST(RayPoints, HoldEachFootOnceInTheGroupOfItsLayer) {
     const std::vector<SurfaceFoot> feet = test::randomFeet({9, 5, 7}, 2000, numbers);
     RayPoints points(feet.size());
     for (int axis = 0; axis < 3; ++axis) {
-      points.sort(feet, lattice, kSpacing, kLift, axis);
+      points.sort(feet, lattice, kSpacing, axis);
       const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
       ASSERT_EQ(axes.layer, axis);
       std::vector<int> seen(feet.size());
@@ -42,7 +41,7 @@ TEST(RayPoints, HoldEachFootOnceInTheGroupOfItsLayer) {
           ++seen[points.foot()[at]];
           const glm::dvec3 normal(foot.normal), cell = kSpacing / static_cast<double>(refinement);
           const double width = glm::dot(glm::abs(normal), cell);
-          const glm::dvec3 lifted = glm::dvec3(foot.position) * kSpacing + kLift * width * normal;
+          const glm::dvec3 lifted = glm::dvec3(foot.position) * kSpacing + double{kLift} * width * normal;
           const glm::dvec3 want = glm::clamp(lifted / cell, glm::dvec3(-1.9), glm::dvec3(lattice.size - 1) + 1.9);
           const glm::dvec3 got(points.bit()[at], points.row()[at], points.layer()[at]);
           constexpr double kRounding = 1e-5;
@@ -72,9 +71,9 @@ TEST(RayPoints, OrderDoesNotDependOnThreads) {
   const std::vector<SurfaceFoot> feet = test::randomFeet({12, 11, 10}, 100000, numbers);
   RayPoints one(feet.size()), four(feet.size());
   setThreadCount(1);
-  one.sort(feet, lattice, kSpacing, kLift, 1);
+  one.sort(feet, lattice, kSpacing, 1);
   setThreadCount(4);
-  four.sort(feet, lattice, kSpacing, kLift, 1);
+  four.sort(feet, lattice, kSpacing, 1);
   setThreadCount(0);
   EXPECT_EQ(std::memcmp(one.foot(), four.foot(), feet.size() * sizeof(std::uint32_t)), 0);
   EXPECT_EQ(std::memcmp(one.bit(), four.bit(), feet.size() * sizeof(float)), 0);

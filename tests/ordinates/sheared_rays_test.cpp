@@ -14,6 +14,7 @@ namespace {
 
 using test::RandomNumbers;
 
+constexpr glm::dvec3 kSpacing(1, 0.7, 1.3);
 constexpr std::size_t kWidestVector = 64;  // floats by which sums are longer than the points
 
 // A level of single solid samples, one in `rarity`.
@@ -35,7 +36,7 @@ std::vector<RayDirection> directionsAlong(int axis, int towards, int count, Rand
     const double size = glm::abs(w[axis]);
     if (size < glm::abs(w[axes.bit]) || size < glm::abs(w[axes.row]) || (w[axis] > 0) != (towards > 0)) continue;
     directions.push_back({static_cast<float>(w[axes.bit]), static_cast<float>(w[axes.row]), static_cast<float>(w[axis]),
-                          w[axes.bit] / w[axis], w[axes.row] / w[axis]});
+                          w[axes.bit] / w[axis], w[axes.row] / w[axis], static_cast<float>(0.5 / size)});
   }
   return directions;
 }
@@ -68,11 +69,11 @@ constexpr int kCases = 180;  // 10 sizes, 3 axes, 2 senses, 3 of each
 int expectPlainSums(const RayCase& given) {
   constexpr float kScale = 1 << 20;
   RayPoints points(given.feet.size());
-  points.sort(given.feet, given.lattice, glm::dvec3(1), 0.7, given.axis);
+  points.sort(given.feet, given.lattice, kSpacing, given.axis);
   const std::vector<std::int32_t> want =
-      test::plainRays(given.lattice, given.axis, given.towards, given.directions, points, kScale);
+      test::plainRays(given.lattice, kSpacing, given.axis, given.towards, given.directions, points, kScale);
   std::vector<std::int32_t> got(points.count() + kWidestVector, 0);
-  sweepRays(layersOf(given.lattice, given.axis), given.towards, given.directions, points, kScale, got.data());
+  sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points, kScale, got.data());
   int blocked = 0, wrong = 0;
   for (std::size_t i = 0; i < points.count(); ++i) {
     blocked += want[i] != 0 ? 1 : 0;
@@ -110,10 +111,11 @@ TEST(ShearedRays, AddToWhatIsThere) {
   // A second sweep doubles the sums.
   const RayCase given = randomCase(0);
   RayPoints points(given.feet.size());
-  points.sort(given.feet, given.lattice, glm::dvec3(1), 0.7, given.axis);
+  points.sort(given.feet, given.lattice, kSpacing, given.axis);
   std::vector<std::int32_t> sums(points.count() + kWidestVector, 0);
   const auto sweep = [&] {
-    sweepRays(layersOf(given.lattice, given.axis), given.towards, given.directions, points, 1 << 20, sums.data());
+    sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points, 1 << 20,
+              sums.data());
   };
   sweep();
   const std::vector<std::int32_t> once = sums;

@@ -1,5 +1,4 @@
 isolume_test(test_ordinates
-  ordinates/blocked_feet.cpp
   ordinates/openness_caps_test.cpp
   ordinates/openness_reference_test.cpp
   ordinates/openness_test.cpp

@@ -11,8 +11,9 @@
 
 namespace isolume::test {
 
-/// What sweepRays() adds to zeros, for the points as sorted for `axis`. Reads lattice.alongX alone.
-std::vector<std::int32_t> plainRays(const SolidLattice& lattice, int axis, int towards,
+/// What sweepRays() adds to zeros, for the points as sorted for `axis`. Reads lattice.alongX alone; `spacing` of the
+/// samples.
+std::vector<std::int32_t> plainRays(const SolidLattice& lattice, glm::dvec3 spacing, int axis, int towards,
                                     const std::vector<RayDirection>& directions, const RayPoints& points, float scale);
 
 }  // namespace isolume::test
