@@ -12,6 +12,7 @@
 #include "raymarch/renderer.h"
 #include "sweep/level.h"
 #include "sweep/occlusion_sweep.h"
+#include "sweep/ordinates/openness_sweep.h"
 #include "volumes/scenes.h"
 
 namespace isolume {
@@ -32,6 +33,8 @@ struct Bench {
     fields.worldFromGrid[3][3] = 1;
     fields.level = level.view();
     for (std::size_t i = 0; i < 2; ++i) fields.octants[i] = swept.visibility.packed[i].view();
+    const Grid<std::uint16_t> openness = sweepOpenness(level.view(), swept.distance.view(), {.ordinates = 64});
+    fields.openness = openness.view();
     renderer.upload(fields);
     camera = frameCorners(boxCorners(fields.worldFromGrid, glm::dvec3(20), glm::dvec3(kSize - 21)), 1, {});
   }
@@ -49,7 +52,10 @@ void frame(benchmark::State& state, RenderSettings settings) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(picture.color.size()));
 }
 
-BENCHMARK_CAPTURE(frame, occlusion, RenderSettings{})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(frame, openness, RenderSettings{.shading = Shading::openness})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(frame, octants, RenderSettings{})->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(frame, local, RenderSettings{.shading = Shading::local})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();

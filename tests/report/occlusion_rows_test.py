@@ -32,12 +32,19 @@ class OcclusionTest(unittest.TestCase):
         self.assertEqual(found, {**measure, "ssim": 0.9, "miss": 0.001})
 
     def test_findings_compare_with_the_same_threads(self) -> None:
-        # Ratios are taken at the largest number of threads, and the published offset is named.
-        rows = [row(occlusion.OURS, 0, 1, 0.3), row(occlusion.OURS, 2, 1, 0.07), row(occlusion.OURS, 2, 9, 0.07, 1),
+        # Ratios are taken at the largest number of threads, and the published error is named.
+        rows = [row(occlusion.OCTANTS, 0, 1, 0.3), row(occlusion.ORDINATES, 64, 1, 0.07),
+                row(occlusion.ORDINATES, 64, 9, 0.07, 1), row(occlusion.ORDINATES, 8, 1, 0.2),
                 row(occlusion.EMBREE, 4, 2, 0.1), row(occlusion.EMBREE, 16, 8, 0.05)]
         text = occlusion.findings(SCENE, rows)[0]
-        self.assertIn("RMSE is 0.0700 at offset 2 (0.300 as published)", text)
+        self.assertIn("RMSE is 0.0700 with 64 ordinates (0.300 as published)", text)
         self.assertIn("at 2.0 to 8.0 times the time", text)
+
+    def test_options_are_those_of_the_setting(self) -> None:
+        # What report_frames tells of a setting becomes its command line, and nothing else.
+        entry = {"occlusion": "ordinates", "ordinates": 64, "refinement": 2, "seconds": [1]}
+        self.assertEqual(occlusion.occlusion_options(entry),
+                         ["--occlusion", "ordinates", "--ordinates", "64", "--refinement", "2"])
 
     def test_exr_holds_the_values_row_by_row(self) -> None:
         # Every scan line holds its number, its size, and its channels in the order of their names.

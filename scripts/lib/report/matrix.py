@@ -36,6 +36,7 @@ class Matrix:
     picture: tuple[int, int]
     reference_rays: int
     offsets: tuple[float, ...]  # --occlusion-offset, voxels
+    ordinates: tuple[tuple[int, int], ...]  # --ordinates and --refinement
     rays: tuple[int, ...]  # Embree, per pixel
     kernels: tuple[int, ...]  # VTK's SSAO, samples per pixel
     scaling_scene: str
@@ -65,7 +66,8 @@ FULL = Matrix(
     occlusion_volumes=(BETA_GALACTOSIDASE, CRANIUM),
     picture=(512, 512),
     reference_rays=1024,
-    offsets=(0, 1, 2, 3),
+    offsets=(0, 2),
+    ordinates=((64, 1), (128, 1), (256, 1), (512, 1), (1024, 2), (4096, 2)),
     rays=(4, 16, 64, 256),
     kernels=(32, 128, 256),
     scaling_scene="capsules",
@@ -88,6 +90,7 @@ QUICK = Matrix(
     picture=(256, 256),
     reference_rays=64,
     offsets=FULL.offsets,
+    ordinates=((64, 1), (512, 1), (1024, 2)),
     rays=(4, 16, 64),
     kernels=(32,),
     scaling_scene=FULL.scaling_scene,

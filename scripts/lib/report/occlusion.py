@@ -21,8 +21,9 @@ window, upload and, for the mesh, flying edges for VTK.
 
 How each is used:
 
-- **Isolume**: `isolume render --occlusion-offset` {offsets} (the knob there is: how far above the surface the octants
-  are read; 0 is the published method).
+- **Isolume, octants**: `isolume render --occlusion octants --occlusion-offset` {offsets} (how far above the surface the
+  octants are read; 0 is the published method).
+- **Isolume, ordinates**: `isolume render --ordinates` {ordinates}, with `--refinement 2` from {refined} on.
 - **Embree {embree}**: the quads of OpenVDB's `volumeToMesh` as triangles, default build quality, single rays,
   flush-to-zero; {knob} cosine-weighted stratified directions per pixel, turned by a random offset for each pixel; rays
   start {offset} of the scene's diagonal above the surface.
@@ -32,7 +33,8 @@ How each is used:
   unlit white surface with the pass divided by the one without, in 8 bits; it sees only what is on the screen and
   within its radius, so it answers an easier question than the others."""
 
-OURS = "Isolume, octant sweep"
+OCTANTS = "Isolume, octants"
+ORDINATES = "Isolume, ordinates"
 EMBREE = "Embree rays"
 
 
@@ -73,18 +75,29 @@ def our_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, errors
              threads: int) -> list[Row]:
     """`errors` is kept from one number of threads to the next, since pictures do not depend on it."""
     report = json_of([programs.report / "report_frames", *scene.arguments(), "--size", size_text(matrix), "--offsets",
-                      ",".join(map(str, matrix.offsets)), "--runs", matrix.runs, "--threads", threads], threads)
+                      ",".join(map(str, matrix.offsets)), "--ordinates",
+                      ",".join(f"{count}:{refinement}" for count, refinement in matrix.ordinates), "--runs",
+                      matrix.runs, "--threads", threads], threads)
     rows = []
-    for entry in report["frames"]:
-        key = f"{stem}_singh10_{entry['offset']:g}"
+    for entry in report["pictures"]:
+        by_octants = entry["occlusion"] == "octants"
+        knob = entry["occlusion-offset"] if by_octants else entry["ordinates"]
+        key = f"{stem}_{entry['occlusion']}_{knob:g}"
         if key not in errors:
             picture = programs.work / f"{key}.exr"
             output_of([programs.isolume, "render", *scene.arguments(), "--size", size_text(matrix),
-                       "--occlusion-offset", f"{entry['offset']:g}", "--layers", "all", "-o", picture])
+                       *occlusion_options(entry), "--layers", "all", "-o", picture])
             errors[key] = error_of(programs, picture, truth)
-        first = sums(report["sweep"], report["upload"], report["first_frame"])
-        rows.append(row_of(scene, threads, OURS, entry["offset"], first, entry["seconds"], errors[key]))
+        first = sums(entry["sweep"], entry["upload"], entry["first_frame"])
+        rows.append(row_of(scene, threads, OCTANTS if by_octants else ORDINATES, knob, first, entry["seconds"],
+                           errors[key]))
     return rows
+
+
+def occlusion_options(entry: Any) -> list[str]:
+    """The command line of a setting as report_frames tells it."""
+    keys = ("occlusion", "occlusion-offset", "ordinates", "refinement")
+    return [word for key in keys if key in entry for word in (f"--{key}", str(entry[key]))]
 
 
 def embree_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, errors: dict[str, Row], truth: Path,
@@ -140,10 +153,10 @@ def findings(scene: Scene, rows: list[Row]) -> list[str]:
     """Isolume's best picture against Embree's, with most threads."""
     threads = max(row["threads"] for row in rows)
     here = [row for row in rows if row["threads"] == threads]
-    ours = min((row for row in here if row["method"] == OURS), key=lambda row: row["rmse"])
-    published = next((row for row in here if row["method"] == OURS and row["knob"] == 0), None)
-    text = f"**{scene.name}**: Isolume's RMSE is {digits(ours['rmse'])} at offset {ours['knob']:g}"
-    if published and published is not ours:
+    ours = min((row for row in here if row["method"] == ORDINATES), key=lambda row: row["rmse"])
+    published = next((row for row in here if row["method"] == OCTANTS and row["knob"] == 0), None)
+    text = f"**{scene.name}**: Isolume's RMSE is {digits(ours['rmse'])} with {ours['knob']:g} ordinates"
+    if published:
         text += f" ({digits(published['rmse'])} as published)"
     rays = [row for row in here if row["method"] == EMBREE]
     if rays:
@@ -189,6 +202,7 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
     section.data["occlusion"] = all_rows
     section.introduction = INTRODUCTION.format(
         rays=matrix.reference_rays, width=matrix.picture[0], height=matrix.picture[1],
-        offsets=", ".join(map(str, matrix.offsets)), knob=", ".join(map(str, matrix.rays)),
+        offsets=", ".join(map(str, matrix.offsets)), ordinates=", ".join(str(count) for count, _ in matrix.ordinates),
+        refined=min((count for count, refinement in matrix.ordinates if refinement > 1), default=0), knob=", ".join(map(str, matrix.rays)),
         kernels=", ".join(map(str, matrix.kernels)), **versions)
     return section
