@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <mutex>
+#include <stdexcept>
 #include <vector>
 
 #include "ordinate_set.h"
@@ -113,6 +114,8 @@ Grid<std::uint16_t> sweepOpenness(GridView<const float> level, GridView<const fl
           groupsOf(axis, directions, level.spacing / static_cast<double>(lattice.refinement));
       points.sort(feet, lattice, level.spacing, axis);
       const LatticeLayers layers = layersOf(lattice, level.spacing, axis);
+      if (voxelCount({layers.words * BitRows::kWordBits, layers.rows + 1, 1}) >= kMostLayerBits)
+        throw std::length_error("openness: expected layers of fewer than 2^24 lattice points: take refinement 1");
       parallelFor(groups.size(), [&](std::size_t i) {
         std::vector<std::int32_t> sums = shared.take();
         sweepRays(layers, groups[i].towards, groups[i].directions, points, scale, sums.data());
