@@ -102,10 +102,9 @@ HWY_INLINE void advanceLayer(const std::uint64_t* solid, int rows, int words, in
     advanceRow<kShift>(from, solid, mask, words, to);
 }
 
-using FloatVec = hn::Vec<FloatTag>;
 using FloatMask = hn::Mask<FloatTag>;
 
-// value[j] where j layers are skipped: value[0], and the differences added where one more is.
+// value[j] where j layers go by: skips[j] tells that more than j do.
 template <class Tag, class T>
 HWY_INLINE hn::Vec<Tag> skipped(Tag d, const std::array<T, kMostSkipped + 1>& value, const hn::Mask<Tag>* skips) {
   auto chosen = hn::Set(d, value[0]);
