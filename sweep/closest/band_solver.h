@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "near_sets.h"
+#include "sweep/near_sets.h"
 #include "offset_field.h"
 #include "point_kernels.h"
 

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "bit_grid.h"
+#include "sweep/bit_grid.h"
 
 namespace isolume {
 

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "band_solver.h"
-#include "sweep/parallel.h"
 
 namespace isolume {
 namespace {
@@ -30,10 +29,7 @@ BitGrid solveBand(GridView<const float> level, int layers, OffsetField& field) {
   BitGrid set(level.size);
   BandSolver solver(level, field, set);
   {
-    BitGrid inside(level.size);
-    parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t z) {
-      for (int y = 0; y < level.size.y; ++y) signRow(level, y, static_cast<int>(z), inside);
-    });
+    const BitGrid inside = insideSamples(level);
     solver.seed(inside);
     solver.growToCorners(inside);
     solver.reseedCorners(inside);

@@ -16,7 +16,7 @@
 // the level, then O(band). Memory beside the field: 3 bits per voxel, 20 bytes per sample of the newest layer.
 #pragma once
 
-#include "bit_grid.h"
+#include "sweep/bit_grid.h"
 #include "offset_field.h"
 
 namespace isolume {

@@ -1,4 +1,4 @@
-// One bit per point of a grid or lattice, in rows of whole vectors.
+// One bit per point of a lattice, in aligned rows of whole vectors, which BitGrid's are not.
 //
 // Bit i % 64 of word i / 64 of a row. Each row has at least one bit more than points; those are 0, so that a row that
 // is shifted by one takes in zeros.
@@ -6,13 +6,12 @@
 
 #include <cstdint>
 
-#include "sweep/grid.h"
+#include "sweep/bit_grid.h"
 #include "sweep/large_array.h"
 
 namespace isolume {
 
 struct BitRows {
-  static constexpr int kWordBits = 64;
   static constexpr int kRowWords = 8;  ///< a row is a multiple of 512 bits, and aligned
 
   LargeArray<std::uint64_t> data;
@@ -29,11 +28,5 @@ struct BitRows {
     return data.get() + (static_cast<std::ptrdiff_t>(layer) * rows + r) * words;
   }
 };
-
-/// Bits of value > 0 for `count` values, into whole words (rounded up), zeros beyond. NaN is 0.
-void packSigns(const float* values, int count, std::uint64_t* words);
-
-/// Which samples of a level are solid: row y of layer z. Threaded.
-BitRows signBits(GridView<const float> level);
 
 }  // namespace isolume

@@ -19,7 +19,6 @@ namespace isolume {
 namespace {
 
 constexpr double kLargestOpenness = 65535;
-constexpr std::size_t kWidestVector = 64;
 constexpr std::size_t kChunk = 1 << 15;
 
 template <class Visit>
@@ -108,13 +107,13 @@ Grid<std::uint16_t> sweepOpenness(GridView<const float> level, GridView<const fl
     const SolidLattice lattice = makeSolidLattice(level, surface.solid(), options.refinement);
     const std::vector<glm::dvec3> directions = ordinateDirections(options.ordinates);
     RayPoints points(feet.size());
-    SharedSums shared(feet.size() + kWidestVector);
+    SharedSums shared(feet.size() + kRayPadding);
     for (int axis = 0; axis < 3; ++axis) {
       const std::vector<RayGroup> groups =
           groupsOf(axis, directions, level.spacing / static_cast<double>(lattice.refinement));
       points.sort(feet, lattice, level.spacing, axis);
       const LatticeLayers layers = layersOf(lattice, level.spacing, axis);
-      if (voxelCount({layers.words * BitRows::kWordBits, layers.rows + 1, 1}) >= kMostLayerBits)
+      if (voxelCount({layers.words * kWordBits, layers.rows + 1, 1}) >= kMostLayerBits)
         throw std::length_error("openness: expected layers of fewer than 2^24 lattice points: take refinement 1");
       parallelFor(groups.size(), [&](std::size_t i) {
         std::vector<std::int32_t> sums = shared.take();

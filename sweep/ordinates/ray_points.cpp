@@ -9,7 +9,6 @@
 namespace isolume {
 namespace {
 
-constexpr std::size_t kWidestVector = 64;  // floats; lanes beyond the end are read and ignored
 constexpr std::size_t kSigns = 8, kChunk = 1 << 15;
 
 struct LiftedPosition {
@@ -36,11 +35,11 @@ struct LiftedPosition {
 
 RayPoints::RayPoints(std::size_t count)
     : count_(count),
-      stride_(count + kWidestVector),
+      stride_(count + kRayPadding),
       values_(makeLargeArray<float>(6 * stride_)),
       feet_(makeLargeArray<std::uint32_t>(count)) {
   // What lies beyond the end may be read, and never counts; it must be finite.
-  for (int i = 0; i < 6; ++i) std::fill_n(values(i) + count, kWidestVector, 0.0F);
+  for (int i = 0; i < 6; ++i) std::fill_n(values(i) + count, kRayPadding, 0.0F);
 }
 
 void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis) {

@@ -24,7 +24,10 @@ inline constexpr float kLift = 0.1F, kClearance = 1;
 /// Positions lie at most that far beyond the lattice, in its points.
 inline constexpr float kBeyondLattice = 1.9F;
 
-/// 28 bytes per point. The six arrays of numbers are longer than `count` by a vector of any width.
+/// Lanes of the widest vector: what lies that far beyond the last point is read, and never counts.
+inline constexpr std::size_t kRayPadding = 64;
+
+/// 28 bytes per point. The six arrays of numbers are longer than `count` by kRayPadding.
 class RayPoints {
  public:
   /// For up to `count` points.

@@ -17,7 +17,6 @@ namespace isolume {
 // Rows of zeros to each side: one that a shift by a row takes in and a read beyond the lattice is sent to, and one more
 // for the bit before that row's first.
 inline constexpr int kGuardRows = 2;
-inline constexpr int kWordBits = BitRows::kWordBits;
 
 // B of one direction in the last kKeptLayers layers: rows of bits between guard rows of zeros. Rows end in zeros
 // (BitRows): what a row takes in from the next or the one before is 0. Layers not yet swept are zeros.

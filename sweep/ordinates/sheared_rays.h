@@ -52,7 +52,7 @@ struct RayDirection {
 inline constexpr int kRayGroup = 16;  ///< directions that are swept at a time
 /// Sweeps up to kRayGroup directions with w_layer > 0 (towards = 1) or < 0 (-1) and adds to sums[i] for each point i
 /// what of the clamped cosine is blocked: round(scale * sum of max(N . w, 0) over the directions that meet something).
-/// `sums` is longer than the points by a vector.
+/// `sums` is longer than the points by kRayPadding.
 void sweepRays(const LatticeLayers& lattice, int towards, const std::vector<RayDirection>& directions,
                const RayPoints& points, float scale, std::int32_t* sums);
 

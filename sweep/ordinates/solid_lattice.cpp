@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "sweep/near_sets.h"
 #include "sweep/parallel.h"
 
 namespace isolume {
 namespace {
-
-constexpr int kBits = BitRows::kWordBits;
 
 // The rows of samples around a row of the lattice: two along y and two along z, equal where it runs through samples.
 struct RowsAround {
@@ -15,13 +14,13 @@ struct RowsAround {
   const std::uint64_t* signs[4];
 };
 
-RowsAround rowsAround(GridView<const float> level, const BitRows& signs, int refinement, int y, int z) {
+RowsAround rowsAround(GridView<const float> level, const BitGrid& inside, int refinement, int y, int z) {
   RowsAround around{};
   for (int i = 0; i < 4; ++i) {
     const int sampleY = y / refinement + (y % refinement != 0 ? i & 1 : 0);
     const int sampleZ = z / refinement + (z % refinement != 0 ? i >> 1 : 0);
     around.level[i] = &level(0, sampleY, sampleZ);
-    around.signs[i] = signs.row(sampleY, sampleZ);
+    around.signs[i] = inside.row(sampleY, sampleZ);
   }
   return around;
 }
@@ -41,23 +40,23 @@ struct WordPair {
   std::uint64_t at = 0, between = 0;
 };
 WordPair interpolatedWords(const RowsAround& around, int w, int count) {
-  const int begin = w * kBits, end = std::min(begin + kBits + 1, count);
-  float mean[kBits + 1], half[kBits];
+  const int begin = w * kWordBits, end = std::min(begin + kWordBits + 1, count);
+  float mean[kWordBits + 1], half[kWordBits];
   // Times 1/4, so that no sum overflows.
   for (int x = begin; x < end; ++x)
     mean[x - begin] = (0.25F * around.level[0][x] + 0.25F * around.level[1][x]) +
                       (0.25F * around.level[2][x] + 0.25F * around.level[3][x]);
-  const int samples = std::min(kBits, end - begin), halves = end - begin - 1;
+  const int samples = std::min(kWordBits, end - begin), halves = end - begin - 1;
   for (int i = 0; i < halves; ++i) half[i] = 0.5F * mean[i] + 0.5F * mean[i + 1];
   WordPair words;
-  packSigns(mean, samples, &words.at);
-  if (halves > 0) packSigns(half, halves, &words.between);
+  positiveBits(mean, samples, &words.at);
+  if (halves > 0) positiveBits(half, halves, &words.between);
   return words;
 }
 
 // Where all samples around are on one side, so is what lies between.
 void refineRow(const RowsAround& around, int count, int words, std::uint64_t* to) {
-  const int samplesWords = (count + kBits - 1) / kBits;
+  const int samplesWords = (count + kWordBits - 1) / kWordBits;
   std::fill_n(to, words, std::uint64_t{0});
   for (int w = 0; w < samplesWords; ++w) {
     std::uint64_t any = 0, all = ~std::uint64_t{0};
@@ -81,8 +80,8 @@ void refineRow(const RowsAround& around, int count, int words, std::uint64_t* to
 // Transposes 64 x 64 bits in place, by halves. [Warren12] Sec. 7-3.
 void transposeBlock(std::uint64_t* rows) {
   std::uint64_t mask = 0x00000000ffffffffULL;
-  for (int j = kBits / 2; j != 0; j >>= 1, mask ^= mask << j) {
-    for (int k = 0; k < kBits; k = ((k | j) + 1) & ~j) {
+  for (int j = kWordBits / 2; j != 0; j >>= 1, mask ^= mask << j) {
+    for (int k = 0; k < kWordBits; k = ((k | j) + 1) & ~j) {
       const std::uint64_t swapped = ((rows[k] >> j) ^ rows[k | j]) & mask;
       rows[k] ^= swapped << j;
       rows[k | j] ^= swapped;
@@ -91,24 +90,24 @@ void transposeBlock(std::uint64_t* rows) {
 }
 
 void transposeLayer(const BitRows& from, BitRows& to, int layer) {
-  std::uint64_t block[kBits];
+  std::uint64_t block[kWordBits];
   for (int r = 0; r < to.rows; ++r) std::fill_n(to.row(r, layer), to.words, std::uint64_t{0});
-  for (int y = 0; y < from.rows; y += kBits) {
-    const int high = std::min(kBits, from.rows - y);
-    for (int x = 0; x < from.length; x += kBits) {
+  for (int y = 0; y < from.rows; y += kWordBits) {
+    const int high = std::min(kWordBits, from.rows - y);
+    for (int x = 0; x < from.length; x += kWordBits) {
       std::uint64_t any = 0;
-      for (int i = 0; i < kBits; ++i) any |= block[i] = i < high ? from.row(y + i, layer)[x / kBits] : 0;
+      for (int i = 0; i < kWordBits; ++i) any |= block[i] = i < high ? from.row(y + i, layer)[x / kWordBits] : 0;
       if (any == 0) continue;
       transposeBlock(block);
-      const int wide = std::min(kBits, from.length - x);
-      for (int i = 0; i < wide; ++i) to.row(x + i, layer)[y / kBits] = block[i];
+      const int wide = std::min(kWordBits, from.length - x);
+      for (int i = 0; i < wide; ++i) to.row(x + i, layer)[y / kWordBits] = block[i];
     }
   }
 }
 
 }  // namespace
 
-SolidLattice makeSolidLattice(GridView<const float> level, const BitRows& signs, int refinement) {
+SolidLattice makeSolidLattice(GridView<const float> level, const BitGrid& inside, int refinement) {
   SolidLattice lattice;
   lattice.refinement = refinement;
   lattice.size = (level.size - 1) * refinement + 1;
@@ -117,10 +116,10 @@ SolidLattice makeSolidLattice(GridView<const float> level, const BitRows& signs,
   parallelFor(static_cast<std::size_t>(lattice.size.z), [&](std::size_t layer) {
     const int z = static_cast<int>(layer);
     for (int y = 0; y < lattice.size.y; ++y) {
-      const RowsAround around = rowsAround(level, signs, refinement, y, z);
+      const RowsAround around = rowsAround(level, inside, refinement, y, z);
       std::uint64_t* row = lattice.alongX.row(y, z);
       if (refinement == 1) {
-        std::copy_n(around.signs[0], lattice.alongX.words, row);
+        std::fill(std::copy_n(around.signs[0], inside.words(), row), row + lattice.alongX.words, std::uint64_t{0});
       } else {
         refineRow(around, level.size.x, lattice.alongX.words, row);
       }

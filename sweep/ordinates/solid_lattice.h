@@ -17,7 +17,7 @@ struct SolidLattice {
   BitRows alongY;  ///< row x of layer z
 };
 
-/// `signs` as of signBits(level); `refinement` 1 or 2. Threaded.
-SolidLattice makeSolidLattice(GridView<const float> level, const BitRows& signs, int refinement);
+/// `inside`: the samples with level > 0; `refinement` 1 or 2. Threaded.
+SolidLattice makeSolidLattice(GridView<const float> level, const BitGrid& inside, int refinement);
 
 }  // namespace isolume

@@ -5,13 +5,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sweep/near_sets.h"
 #include "sweep/parallel.h"
 
 namespace isolume {
 namespace {
-
-constexpr int kBits = BitRows::kWordBits;
-constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
 // -level's gradient per world unit by central differences, one-sided at the border; finite for any finite level.
 glm::dvec3 descent(GridView<const float> level, glm::ivec3 at) {
@@ -45,66 +43,21 @@ glm::dvec3 capNormal(glm::ivec3 at, glm::ivec3 size) {
   return normal;
 }
 
-// The samples of word w of a row that there are.
-std::uint64_t validBits(const BitRows& rows, int w) {
-  const int left = rows.length - w * kBits;
-  return left >= kBits ? kAll : ~(kAll << left);
-}
-
-// Samples of word w of a row with one of the other side among the 26 around.
-std::uint64_t nextToSurface(const BitRows& solid, int y, int z, int w, int words) {
-  std::uint64_t any = 0, all = kAll;
-  // The bits just before and after the word; where there is none it counts as like its neighbour.
-  std::uint64_t anyBefore = 0, allBefore = 1, anyAfter = 0, allAfter = 1;
-  for (int nz = std::max(z - 1, 0); nz <= std::min(z + 1, solid.layers - 1); ++nz) {
-    for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, solid.rows - 1); ++ny) {
-      const std::uint64_t* row = solid.row(ny, nz);
-      any |= row[w];
-      all &= row[w];
-      if (w > 0) {
-        anyBefore |= row[w - 1] >> (kBits - 1);
-        allBefore &= row[w - 1] >> (kBits - 1);
-      }
-      if (w + 1 < words) {
-        anyAfter |= row[w + 1] & 1;
-        allAfter &= row[w + 1] & 1;
-      }
-    }
-  }
-  if (any == 0 && anyBefore == 0 && anyAfter == 0) return 0;
-  const std::uint64_t valid = validBits(solid, w);
-  all |= ~valid;
-  const std::uint64_t anyAround = any | any << 1 | anyBefore | any >> 1 | anyAfter << (kBits - 1);
-  const std::uint64_t allAround = all & (all << 1 | allBefore) & (all >> 1 | allAfter << (kBits - 1));
-  return anyAround & ~allAround & valid;
-}
-
-// Solid samples of word w of a row that lie on the border of the grid.
-std::uint64_t capBits(const BitRows& solid, int y, int z, int w) {
-  const std::uint64_t bits = solid.row(y, z)[w];
-  if (y == 0 || z == 0 || y == solid.rows - 1 || z == solid.layers - 1) return bits;
-  std::uint64_t ends = w == 0 ? 1 : 0;
-  if (w == (solid.length - 1) / kBits) ends |= std::uint64_t{1} << ((solid.length - 1) % kBits);
-  return bits & ends;
-}
-
-template <class Visit>
-void forEachBitOf(std::uint64_t bits, const Visit& visit) {
-  for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
-}
-
 }  // namespace
 
 SurfaceFeet::SurfaceFeet(GridView<const float> level, GridView<const float> distance)
     : level_(level),
       distance_(distance),
-      words_((level.size.x + kBits - 1) / kBits),
-      solid_(signBits(level)),
-      hasFoot_(level.size.x, level.size.y, level.size.z),
-      inside_(level.size.x, level.size.y, level.size.z),
-      firstFoot_(voxelCount({words_, level.size.y, level.size.z})) {
-  const auto layers = static_cast<std::size_t>(level.size.z);
-  parallelFor(layers, [&](std::size_t z) { markLayer(static_cast<int>(z)); });
+      solid_(insideSamples(level)),
+      hasFoot_(level.size),
+      inside_(level.size),
+      firstFoot_(voxelCount({1, level.size.y, level.size.z})) {
+  const auto forEachRow = [&](const auto& visit) {
+    parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t z) {
+      for (int y = 0; y < level.size.y; ++y) visit(y, static_cast<int>(z));
+    });
+  };
+  forEachRow([&](int y, int z) { markRow(y, z); });
   std::uint32_t count = 0;
   for (std::uint32_t& first : firstFoot_) {
     const std::uint32_t own = first;
@@ -112,33 +65,31 @@ SurfaceFeet::SurfaceFeet(GridView<const float> level, GridView<const float> dist
     count += own;
   }
   feet_.resize(count);
-  parallelFor(layers, [&](std::size_t z) {
-    forEachFoot(static_cast<int>(z), [&](std::size_t foot, glm::ivec3 at) { feet_[foot] = footOf(at); });
-  });
+  forEachRow(
+      [&](int y, int z) { forEachFoot(y, z, [&](std::size_t foot, glm::ivec3 at) { feet_[foot] = footOf(at); }); });
 }
 
-// Marks the samples of a layer, and counts the feet of each word.
-void SurfaceFeet::markLayer(int z) {
-  for (int y = 0; y < level_.size.y; ++y) {
-    for (int w = 0; w < words_; ++w) {
-      const std::uint64_t solid = solid_.row(y, z)[w], caps = capBits(solid_, y, z, w);
-      const std::uint64_t near = nextToSurface(solid_, y, z, w, words_);
-      hasFoot_.row(y, z)[w] = (near & ~solid) | caps;
-      inside_.row(y, z)[w] = near & solid & ~caps;
-      firstFoot_[wordIndex(w, y, z)] = static_cast<std::uint32_t>(std::popcount(hasFoot_.row(y, z)[w]));
-    }
+// Marks the samples of a row, and counts its feet.
+void SurfaceFeet::markRow(int y, int z) {
+  const auto words = static_cast<std::size_t>(solid_.words());
+  BitRow near(words), caps(words);
+  cornerRow(solid_, y, z, near);
+  capRow(solid_, y, z, caps);
+  int feet = 0;
+  for (std::size_t w = 0; w < words; ++w) {
+    const std::uint64_t solid = solid_.row(y, z)[w];
+    hasFoot_.row(y, z)[w] = (near[w] & ~solid) | caps[w];
+    inside_.row(y, z)[w] = near[w] & solid & ~caps[w];
+    feet += std::popcount(hasFoot_.row(y, z)[w]);
   }
+  firstFoot_[rowIndex(y, z)] = static_cast<std::uint32_t>(feet);
 }
 
-// visit(number, sample) for each foot of a layer.
+// visit(number, sample) for each foot of a row.
 template <class Visit>
-void SurfaceFeet::forEachFoot(int z, const Visit& visit) const {
-  for (int y = 0; y < level_.size.y; ++y) {
-    for (int w = 0; w < words_; ++w) {
-      std::size_t foot = firstFoot_[wordIndex(w, y, z)];
-      forEachBitOf(hasFoot_.row(y, z)[w], [&](int bit) { visit(foot++, glm::ivec3(w * kBits + bit, y, z)); });
-    }
-  }
+void SurfaceFeet::forEachFoot(int y, int z, const Visit& visit) const {
+  std::size_t foot = firstFoot_[rowIndex(y, z)];
+  forEachBit(hasFoot_.row(y, z), hasFoot_.words(), [&](int x) { visit(foot++, glm::ivec3(x, y, z)); });
 }
 
 // Unit, or 0 at a flat spot.
@@ -163,7 +114,7 @@ std::uint16_t SurfaceFeet::insideValue(glm::ivec3 at, GridView<const std::uint16
   constexpr float kLeastWeight = 1e-3F;
   float sum = 0, weights = 0;
   const auto add = [&](glm::ivec3 sample, float weight) {
-    if ((hasFoot_.row(sample.y, sample.z)[sample.x / kBits] >> (sample.x % kBits) & 1) == 0) return;
+    if (!hasFoot_.test(sample.x, sample.y, sample.z)) return;
     sum += weight * static_cast<float>(values(sample.x, sample.y, sample.z));
     weights += weight;
   };
@@ -185,21 +136,16 @@ std::uint16_t SurfaceFeet::insideValue(glm::ivec3 at, GridView<const std::uint16
 
 void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values) const {
   const auto layers = static_cast<std::size_t>(level_.size.z);
-  parallelFor(layers, [&](std::size_t z) {
-    std::fill_n(&values(0, 0, static_cast<int>(z)), values.strideZ(), std::uint16_t{0});
-    forEachFoot(static_cast<int>(z),
-                [&](std::size_t foot, glm::ivec3 at) { values(at.x, at.y, at.z) = openness[foot]; });
+  parallelFor(layers, [&](std::size_t layer) {
+    const int z = static_cast<int>(layer);
+    std::fill_n(&values(0, 0, z), values.strideZ(), std::uint16_t{0});
+    for (int y = 0; y < level_.size.y; ++y)
+      forEachFoot(y, z, [&](std::size_t foot, glm::ivec3 at) { values(at.x, at.y, at.z) = openness[foot]; });
   });
   parallelFor(layers, [&](std::size_t layer) {
     const int z = static_cast<int>(layer);
-    for (int y = 0; y < level_.size.y; ++y) {
-      for (int w = 0; w < words_; ++w) {
-        forEachBitOf(inside_.row(y, z)[w], [&](int bit) {
-          const glm::ivec3 at(w * kBits + bit, y, z);
-          values(at.x, at.y, at.z) = insideValue(at, values);
-        });
-      }
-    }
+    for (int y = 0; y < level_.size.y; ++y)
+      forEachBit(inside_.row(y, z), inside_.words(), [&](int x) { values(x, y, z) = insideValue({x, y, z}, values); });
   });
 }
 

@@ -13,8 +13,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "bit_rows.h"
-#include "sweep/grid.h"
+#include "sweep/bit_grid.h"
 
 namespace isolume {
 
@@ -31,7 +30,8 @@ class SurfaceFeet {
 
   /// In the order of the samples: x fastest, then y, then z.
   const std::vector<SurfaceFoot>& feet() const { return feet_; }
-  const BitRows& solid() const { return solid_; }
+  /// The samples with level > 0.
+  const BitGrid& solid() const { return solid_; }
 
   /// values[sample] = openness[foot] at outside samples and on caps; interpolated at inside samples next to the
   /// surface; 0 elsewhere. Threaded.
@@ -42,21 +42,18 @@ class SurfaceFeet {
   glm::dvec3 footPosition(glm::ivec3 at, glm::dvec3 normal) const;
   SurfaceFoot footOf(glm::ivec3 at) const;
   std::uint16_t insideValue(glm::ivec3 at, GridView<const std::uint16_t> values) const;
-  void markLayer(int z);
+  void markRow(int y, int z);
   template <class Visit>
-  void forEachFoot(int z, const Visit& visit) const;
-  std::size_t wordIndex(int w, int y, int z) const {
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(level_.size.y) + static_cast<std::size_t>(y)) *
-               static_cast<std::size_t>(words_) +
-           static_cast<std::size_t>(w);
+  void forEachFoot(int y, int z, const Visit& visit) const;
+  std::size_t rowIndex(int y, int z) const {
+    return static_cast<std::size_t>(z) * static_cast<std::size_t>(level_.size.y) + static_cast<std::size_t>(y);
   }
 
   GridView<const float> level_, distance_;
-  int words_;                             // of a row that hold samples
-  BitRows solid_;                         // samples inside
-  BitRows hasFoot_;                       // next to the surface and outside, or on a cap
-  BitRows inside_;                        // next to the surface and inside, and not on a cap
-  std::vector<std::uint32_t> firstFoot_;  // of each word of each row
+  BitGrid solid_;                         // samples inside
+  BitGrid hasFoot_;                       // next to the surface and outside, or on a cap
+  BitGrid inside_;                        // next to the surface and inside, and not on a cap
+  std::vector<std::uint32_t> firstFoot_;  // of each row
   std::vector<SurfaceFoot> feet_;
 };
 

@@ -72,8 +72,8 @@ TEST(OpennessReference, Corner) {
 }
 
 TEST(OpennessReference, Gyroid) {
-  // Measured with a lift by .7: .0373, and only 1.13 times as much with 64 ordinates: at this size the error is that of the values at
-  // samples of walls a few voxels apart, which no number of ordinates removes (.0372 with 4096).
+  // Measured with a lift by .7: .0373, and only 1.13 times as much with 64 ordinates: at this size the error is that of
+  // the values at samples of walls a few voxels apart, which no number of ordinates removes (.0372 with 4096).
   expectConvergence("gyroid", 0.0447, 1);
 }
 

@@ -7,6 +7,7 @@
 
 #include "ordinates/random_feet.h"
 #include "support/test_levels.h"
+#include "sweep/near_sets.h"
 #include "sweep/parallel.h"
 
 namespace isolume {
@@ -16,7 +17,7 @@ constexpr glm::dvec3 kSpacing(1, 2, 0.5);
 
 SolidLattice latticeOf(glm::ivec3 size, int refinement) {
   const Grid<float> level = test::noiseLevel(size, kSpacing, 1);
-  return makeSolidLattice(level.view(), signBits(level.view()), refinement);
+  return makeSolidLattice(level.view(), insideSamples(level.view()), refinement);
 }
 
 TEST(RayPoints, HoldEachFootOnceInTheGroupOfItsLayer) {

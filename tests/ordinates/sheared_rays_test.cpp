@@ -8,6 +8,7 @@
 #include "ordinates/random_feet.h"
 #include "support/plain_rays.h"
 #include "support/simd_targets.h"
+#include "sweep/near_sets.h"
 
 namespace isolume {
 namespace {
@@ -15,7 +16,6 @@ namespace {
 using test::RandomNumbers;
 
 constexpr glm::dvec3 kSpacing(1, 0.7, 1.3);
-constexpr std::size_t kWidestVector = 64;  // floats by which sums are longer than the points
 
 // A level of single solid samples, one in `rarity`.
 Grid<float> specks(glm::ivec3 size, int rarity, RandomNumbers& numbers) {
@@ -56,7 +56,7 @@ RayCase randomCase(int i) {
   const glm::ivec3 size = kSizes[i % 10];
   RayCase made;
   const Grid<float> level = specks(size, 1 << (1 + numbers.below(9)), numbers);
-  made.lattice = makeSolidLattice(level.view(), signBits(level.view()), 1);
+  made.lattice = makeSolidLattice(level.view(), insideSamples(level.view()), 1);
   made.feet = test::randomFeet(size, 300 + numbers.below(20), numbers);
   made.axis = i / 10 % 3;
   made.towards = i / 30 % 2 == 0 ? 1 : -1;
@@ -72,7 +72,7 @@ int expectPlainSums(const RayCase& given) {
   points.sort(given.feet, given.lattice, kSpacing, given.axis);
   const std::vector<std::int32_t> want =
       test::plainRays(given.lattice, kSpacing, given.axis, given.towards, given.directions, points, kScale);
-  std::vector<std::int32_t> got(points.count() + kWidestVector, 0);
+  std::vector<std::int32_t> got(points.count() + kRayPadding, 0);
   sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points, kScale, got.data());
   int blocked = 0, wrong = 0;
   for (std::size_t i = 0; i < points.count(); ++i) {
@@ -112,7 +112,7 @@ TEST(ShearedRays, AddToWhatIsThere) {
   const RayCase given = randomCase(0);
   RayPoints points(given.feet.size());
   points.sort(given.feet, given.lattice, kSpacing, given.axis);
-  std::vector<std::int32_t> sums(points.count() + kWidestVector, 0);
+  std::vector<std::int32_t> sums(points.count() + kRayPadding, 0);
   const auto sweep = [&] {
     sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points, 1 << 20,
               sums.data());

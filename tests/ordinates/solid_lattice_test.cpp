@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "support/random_numbers.h"
+#include "sweep/near_sets.h"
 
 namespace isolume {
 namespace {
@@ -57,7 +58,7 @@ Grid<float> roughLevel(glm::ivec3 size, double solidShare, int run, std::uint64_
 void expectInterpolant(GridView<const float> level, int refinement) {
   SCOPED_TRACE(testing::Message() << level.size.x << "x" << level.size.y << "x" << level.size.z << " by "
                                   << refinement);
-  const SolidLattice lattice = makeSolidLattice(level, signBits(level), refinement);
+  const SolidLattice lattice = makeSolidLattice(level, insideSamples(level), refinement);
   const glm::ivec3 n = lattice.size;
   ASSERT_EQ(n, (level.size - 1) * refinement + 1);
   for (int z = 0; z < n.z; ++z) {

@@ -7,8 +7,11 @@
 
 namespace isolume {
 
-/// Bits of row (y, z): 1 where level > 0.
-void signRow(GridView<const float> level, int y, int z, BitGrid& inside);
+/// Bits of value > 0 for `count` values, into whole words (rounded up), zeros beyond. NaN is 0.
+void positiveBits(const float* values, int count, std::uint64_t* words);
+
+/// The samples with level > 0. Threaded.
+BitGrid insideSamples(GridView<const float> level);
 
 /// Samples of row (y, z) with a neighbour of the other sign along an axis.
 void crossedRow(const BitGrid& inside, int y, int z, BitRow& row);

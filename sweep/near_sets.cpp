@@ -1,7 +1,9 @@
 #include "near_sets.h"
 
+#include "parallel.h"
+
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sweep/closest/near_sets.cpp"
+#define HWY_TARGET_INCLUDE "sweep/near_sets.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -12,7 +14,7 @@ namespace isolume::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void positiveBits(const float* values, int count, std::uint64_t* words) {
+void positiveBitsOnTarget(const float* values, int count, std::uint64_t* words) {
   const hn::CappedTag<float, 16> d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const std::uint64_t used = (std::uint64_t{1} << lanes) - 1;
@@ -38,11 +40,19 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isolume {
 
-HWY_EXPORT(positiveBits);
+HWY_EXPORT(positiveBitsOnTarget);
 
-void signRow(GridView<const float> level, int y, int z, BitGrid& inside) {
-  HWY_DYNAMIC_DISPATCH(positiveBits)
-  (level.data + z * level.strideZ() + y * level.strideY(), level.size.x, inside.row(y, z));
+void positiveBits(const float* values, int count, std::uint64_t* words) {
+  HWY_DYNAMIC_DISPATCH(positiveBitsOnTarget)(values, count, words);
+}
+
+BitGrid insideSamples(GridView<const float> level) {
+  BitGrid inside(level.size);
+  parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t plane) {
+    const int z = static_cast<int>(plane);
+    for (int y = 0; y < level.size.y; ++y) positiveBits(&level(0, y, z), level.size.x, inside.row(y, z));
+  });
+  return inside;
 }
 
 void crossedRow(const BitGrid& inside, int y, int z, BitRow& row) {
