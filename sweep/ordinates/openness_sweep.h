@@ -24,8 +24,8 @@ struct OrdinateOptions {
 };
 
 /// Openness in units of 1 / 65535. `level` as of makeLevel(), `distance` exact next to its surface.
-/// Memory: result 2 B per voxel. While it runs: refinement^3 / 4 B per voxel for the lattice, .44 B for the marks of
-/// the samples (rows rounded up to 512 bits), 58 B for each outside sample next to the surface (2 to 4 % of 256^3 in
+/// Memory: result 2 B per voxel. While it runs: refinement^3 / 4 B per voxel for the lattice (rows rounded up to
+/// 512 bits), 3/8 B for the marks of the samples, 58 B for each outside sample next to the surface (2 to 4 % of 256^3 in
 /// the sample scenes), and 4 B more of these per thread. std::length_error where a layer of the lattice has 2^24 points
 /// or more (2048^3 refined). Time: bench_ordinates.
 Grid<std::uint16_t> sweepOpenness(GridView<const float> level, GridView<const float> distance,

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <vector>
 
+#include "support/octant_openness.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
 #include "sweep/ordinates/openness_sweep.h"
@@ -19,16 +20,7 @@ inline Grid<std::uint16_t> opennessOf(GridView<const float> level, const Ordinat
 
 /// By trilinear interpolation at a point of index space within the grid, 1 = open. At least two samples per axis.
 inline double opennessAt(const Grid<std::uint16_t>& values, glm::dvec3 position) {
-  const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(position)), glm::ivec3(0), values.size() - 2);
-  const glm::dvec3 part = position - glm::dvec3(low);
-  double sum = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::dvec3 weight = glm::mix(1.0 - part, part, glm::dvec3(side));
-    const glm::ivec3 at = low + side;
-    sum += weight.x * weight.y * weight.z * values.view()(at.x, at.y, at.z);
-  }
-  return sum / kOpen;
+  return trilinear(values.view(), position) / kOpen;
 }
 
 /// visit(sample) for each sample at least `margin` from the border.

@@ -9,16 +9,17 @@
 #include <numbers>
 #include <vector>
 
+#include "support/octant_openness.h"
 #include "support/simd_targets.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
-#include "sweep/geometry_terms.h"
 #include "sweep/occlusion_sweep.h"
 
 namespace isolume {
 namespace {
 
 using test::noiseLevel;
+using test::octantOpenness;
 using test::sampleLevel;
 
 const SweepOptions kFloatOctants{.visibility = VisibilityStorage::float32};
@@ -107,24 +108,6 @@ TEST(Visibility, OnAnAxisAlignedFloorHasTheClosedFormOfEq6And7) {
   }
 }
 
-// A at a point, from trilinearly interpolated octants ([Singh10] Eq. 3, 4, divided by pi).
-double ambientAt(const SweptFields& fields, glm::dvec3 p, glm::dvec3 normal) {
-  const glm::ivec3 c(glm::floor(p));
-  const glm::dvec3 f = p - glm::dvec3(c);
-  double sum = 0;
-  for (int s = 0; s < kOctantCount; ++s) {
-    const auto v = fields.visibility.octants[static_cast<std::size_t>(s)].view();
-    double value = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::ivec3 o(corner & 1, corner >> 1 & 1, corner >> 2);
-      const double weight = (o.x ? f.x : 1 - f.x) * (o.y ? f.y : 1 - f.y) * (o.z ? f.z : 1 - f.z);
-      value += weight * v(c.x + o.x, c.y + o.y, c.z + o.z);
-    }
-    sum += value * octantGeometryTerm(s, normal);
-  }
-  return sum / std::numbers::pi;
-}
-
 struct Bias {
   double mean = 0, lowest = 1, highest = 0;
 };
@@ -143,7 +126,7 @@ Bias planeBias(double offset) {
     const auto level =
         sampleLevel(glm::ivec3(kSize), glm::dvec3(1), [&](glm::dvec3 p) { return glm::dot(centre - p, normal); });
     const SweptFields fields = sweepOcclusion(level.view(), kFloatOctants);
-    const double a = ambientAt(fields, centre + offset * normal, normal);
+    const double a = octantOpenness(fields.visibility, centre + offset * normal, normal);
     bias.mean += a / kTilts;
     bias.lowest = std::min(bias.lowest, a);
     bias.highest = std::max(bias.highest, a);

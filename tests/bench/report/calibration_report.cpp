@@ -7,11 +7,8 @@
 // of three runs, mean over the scenes.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "sweep/geometry_terms.h"
 #include "sweep/level.h"
-#include "sweep/mix_bits.h"
 #include "sweep/occlusion_sweep.h"
 #include "sweep/ordinates/openness_sweep.h"
 #include "sweep/parallel.h"
@@ -19,6 +16,7 @@
 #include "tests/bench/report/report_program.h"
 #include "tests/bench/report/surface_sample.h"
 #include "tests/bench/report/timing.h"
+#include "tests/support/octant_openness.h"
 #include "volumes/scenes.h"
 
 namespace isolume::bench {
@@ -46,14 +44,6 @@ JudgedScene judgedScene(const std::string& name, const Options& options) {
   return scene;
 }
 
-double opennessByOctants(const OctantVisibility& swept, const JudgedPoint& point, double offset) {
-  double sum = 0;
-  for (int s = 0; s < kOctantCount; ++s)
-    sum += octantGeometryTerm(s, point.normal) *
-           trilinear(swept.octants[static_cast<std::size_t>(s)].view(), point.position + offset * point.normal);
-  return sum / std::numbers::pi;
-}
-
 // Seconds and what the setting gives at each point.
 struct Measured {
   double seconds = 0;
@@ -68,7 +58,9 @@ Measured measureOctants(const JudgedScene& scene, double offset, int runs) {
   const std::vector<double> seconds = timedRuns(runs, sweep(VisibilityStorage::rgba8));
   sweep(VisibilityStorage::float32)();
   Measured measured{*std::min_element(seconds.begin(), seconds.end()), {}};
-  for (const JudgedPoint& point : scene.points) measured.openness.push_back(opennessByOctants(swept, point, offset));
+  for (const JudgedPoint& point : scene.points) 
+    measured.openness.push_back(
+        test::octantOpenness(swept, point.position + offset * point.normal, point.normal));
   return measured;
 }
 
@@ -80,7 +72,7 @@ Measured measureOrdinates(const JudgedScene& scene, const OrdinateOptions& optio
   constexpr double kOpen = 65535;
   Measured measured{*std::min_element(seconds.begin(), seconds.end()), {}};
   for (const JudgedPoint& point : scene.points)
-    measured.openness.push_back(trilinear(std::as_const(swept).view(), point.position) / kOpen);
+    measured.openness.push_back(test::trilinear(std::as_const(swept).view(), point.position) / kOpen);
   return measured;
 }
 

@@ -1,6 +1,8 @@
 #include "tests/bench/report/surface_sample.h"
 
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+#include <optional>
 
 #include "sweep/parallel.h"
 #include "sweep/reference/reference.h"
