@@ -9,7 +9,7 @@ isolume_test(test_report
 # Debian's Python, which holds Debian's modules, as scripts/report takes it.
 find_program(ISOLUME_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 if(ISOLUME_SYSTEM_PYTHON)
-  foreach(case stats section table2 occlusion_rows process)
+  foreach(case calibration stats section table2 occlusion_rows process)
     add_test(NAME report.python.${case}
       COMMAND ${ISOLUME_SYSTEM_PYTHON} -m unittest --verbose ${case}_test
       WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/report)

@@ -37,6 +37,7 @@ class Matrix:
     reference_rays: int
     offsets: tuple[float, ...]  # --occlusion-offset, voxels
     ordinates: tuple[tuple[int, int], ...]  # --ordinates and --refinement
+    calibration: tuple[int, int, int]  # samples along each axis, points of each surface, rays of the truth at each
     rays: tuple[int, ...]  # Embree, per pixel
     kernels: tuple[int, ...]  # VTK's SSAO, samples per pixel
     scaling_scene: str
@@ -68,6 +69,7 @@ FULL = Matrix(
     reference_rays=1024,
     offsets=(0, 2),
     ordinates=((64, 1), (128, 1), (256, 1), (512, 1), (1024, 2), (4096, 2)),
+    calibration=(128, 2000, 4096),
     rays=(4, 16, 64, 256),
     kernels=(32, 128, 256),
     scaling_scene="capsules",
@@ -91,6 +93,7 @@ QUICK = Matrix(
     reference_rays=64,
     offsets=FULL.offsets,
     ordinates=((64, 1), (512, 1), (1024, 2)),
+    calibration=(48, 200, 256),
     rays=(4, 16, 64),
     kernels=(32,),
     scaling_scene=FULL.scaling_scene,
