@@ -30,7 +30,7 @@ struct SceneFields {
 enum class NormalSource { data, distance };
 enum class Shading {
   octants,  ///< A = sum V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point gives 1
-  lights,   ///< the sum of the light fields, interpolated at the hit, times their colours
+  lights,   ///< the sum of the light fields, interpolated at the hit, times their colours, and a head light
   local,    ///< head light, N . V: nothing swept needed
 };
 
@@ -42,6 +42,7 @@ struct RenderSettings {
   float occlusionOffsetVoxels =
       0;  ///< octants are read that far above the hit along the normal, index space; 0 is [Singh10]
   std::vector<glm::vec3> lightColors = {};  ///< of each light field, linear, >= 0; empty: white
+  glm::vec3 headLight{0};                   ///< Shading::lights: of a light from the eye without shadows, linear
   float gamma = 1;                          ///< colour = albedo * light^(1 / gamma) ([Singh10] Sec. 2 uses 2)
   glm::vec3 albedo{1};                      ///< linear
   glm::vec4 background{1, 1, 1, 1};         ///< linear, not premultiplied; alpha 0 = transparent
@@ -59,6 +60,7 @@ struct Frame {
                                     ///< unless asked for, as the following
   std::vector<glm::vec3> normal;    ///< world, unit, out of the solid
   std::vector<glm::vec3> position;  ///< world
+  std::vector<glm::vec3> index;     ///< the same in index space; 0 where nothing is hit
   std::vector<float> depth;         ///< along the view axis, world units
 };
 

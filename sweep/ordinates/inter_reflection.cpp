@@ -35,13 +35,6 @@ double ratioOf(const std::vector<float>& change, const std::vector<float>& befor
 
 }  // namespace
 
-std::vector<float> blockedShares(const SurfaceRays& rays, int ordinates) {
-  std::vector<Ordinate> sky;
-  const auto share = static_cast<float>(4.0 / ordinates);
-  for (const glm::dvec3& direction : ordinateDirections(ordinates)) sky.push_back({direction, {share}});
-  return rays.sum(sky, 1, SurfaceRays::Count::blocked);
-}
-
 InterReflection::InterReflection(const SurfaceRays& rays, int ordinates)
     : rays_(rays), samples_(rays.surface().nearSamples(true)), layers_(orderSamples(samples_, rays.lattice().size)) {
   for (const glm::dvec3& direction : ordinateDirections(ordinates)) ordinates_.push_back({direction});

@@ -30,9 +30,6 @@ struct ReflectedLight {
   int bounces = 0;           ///< iterations
 };
 
-/// What of the hemisphere of each foot is blocked, 1 - A, weighed by the cosine.
-std::vector<float> blockedShares(const SurfaceRays& rays, int ordinates);
-
 class InterReflection {
  public:
   /// `rays` of refinement 1, borrowed. What does not depend on the light: rays and samples in order.

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
+#include <utility>
 
 #include "foot_sums.h"
 #include "ordinate_set.h"
@@ -59,12 +60,12 @@ std::vector<glm::dvec3> capDirections(glm::dvec3 axis, double radiusDegrees, int
   return directions;
 }
 
-SweptLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radiusDegrees, int ordinates) {
+DiscLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radiusDegrees, int ordinates) {
   assert(radiusDegrees > 0 && radiusDegrees <= 90 && ordinates >= 1);
   const std::vector<glm::dvec3> directions = capDirections(glm::normalize(direction), radiusDegrees, ordinates);
   std::vector<Ordinate> disc;
   for (const glm::dvec3& each : directions) disc.push_back({each});
-  const std::vector<float> visible = rays.sum(disc, 1, SurfaceRays::Count::visible);
+  std::vector<float> visible = rays.sum(disc, 1, SurfaceRays::Count::visible);
   const std::vector<SurfaceFoot>& feet = rays.surface().feet();
   std::vector<std::uint16_t> shares(feet.size());
   std::vector<std::uint8_t> known(feet.size());
@@ -73,10 +74,13 @@ SweptLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radiu
     for (const glm::dvec3& each : directions) all += std::max(glm::dot(feet[i].normal, glm::vec3(each)), 0.0F);
     known[i] = all > 0 ? 1 : 0;
     shares[i] = all > 0 ? packed(visible[i] / all) : 0;
+    visible[i] /= static_cast<float>(ordinates);
   });
   rays.surface().fillUnknown(shares, known);
-  return {rays.surface().spread(shares), 1};
+  return {{rays.surface().spread(shares), 1}, std::move(visible)};
 }
+
+float coneAngle(float meanLength) { return (1 - std::max(0.0F, 2 * meanLength - 1)) * std::numbers::pi_v<float> / 2; }
 
 std::array<Grid<std::uint16_t>, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes) {
   std::vector<Ordinate> sky;

@@ -26,10 +26,15 @@ SweptLight lightOfFeet(const SurfaceFeet& surface, const float* values);
 /// that stands for the solid angle A and radiance L has the value L A / pi (sky_ordinates.h).
 std::vector<SweptLight> sweepSky(const SurfaceRays& rays, const std::vector<Ordinate>& sky, int channels);
 
-/// The visible share of a disc of light, weighed by max(N . w, 0), in [0, 1]: times the mean clamped cosine of the disc
-/// at a normal it is E / pi of a light that gives 1 where it falls straight. Feet that the disc does not reach take
-/// what their neighbours have. `direction` along the grid's axes, any length but 0; radius in (0, 90] degrees.
-SweptLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radiusDegrees, int ordinates);
+/// A disc of light that gives E / pi = 1 where it falls straight (and is small).
+struct DiscLight {
+  SweptLight share;          ///< what of it is seen, weighed by max(N . w, 0), in [0, 1]
+  std::vector<float> light;  ///< E / pi by foot: that share times the mean clamped cosine of the disc
+};
+
+/// Feet that face no part of the disc take the share that their neighbours have. `direction` along the grid's axes, any
+/// length but 0; radius in (0, 90] degrees.
+DiscLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radiusDegrees, int ordinates);
 
 /// Directions that fill a cap evenly, a golden spiral about its axis.
 std::vector<glm::dvec3> capDirections(glm::dvec3 axis, double radiusDegrees, int count);
@@ -40,5 +45,7 @@ std::vector<glm::dvec3> capDirections(glm::dvec3 axis, double radiusDegrees, int
 /// per voxel.
 std::array<Grid<std::uint16_t>, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes);
 inline float bentComponent(float value) { return value / 32767.5F - 1; }
+/// C from |N_b|, radians.
+float coneAngle(float meanLength);
 
 }  // namespace isolume
