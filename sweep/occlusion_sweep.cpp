@@ -86,7 +86,7 @@ SweptFields sweepWholeDomain(GridView<const float> level, const SweepOptions& op
   const RowHook finish = [&](int y, int z) { finishRow(rowOf(y, z), level.size.x, smallest); };
   const bool once = options.rounds == 1;
 
-  DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing));
+  DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing, options.opacity));
   OctantWriter octants(distance, options.visibility);
   for (int pair = 0; pair < kOctantPairs; ++pair) {
     const bool last = pair == kOctantPairs - 1;
@@ -142,8 +142,8 @@ Grid<float> sweepBand(GridView<const float> level, const SweepOptions& options) 
 
 }  // namespace
 
-OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage) {
-  LightSweeper sweeper(distance);
+OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage, float opacity) {
+  LightSweeper sweeper(distance, opacity);
   OctantWriter octants(distance, storage);
   for (int pair = 0; pair < kOctantPairs; ++pair) {
     sweeper.sweepPair(pair, octants.targets(pair));
@@ -159,7 +159,7 @@ SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& opti
                         ? closestDistance(level, {.extent = options.extent, .bandVoxels = options.bandVoxels})
                         : sweepBand(level, options);
   if (options.visibility != VisibilityStorage::none)
-    fields.visibility = sweepVisibility(fields.distance.view(), options.visibility);
+    fields.visibility = sweepVisibility(fields.distance.view(), options.visibility, options.opacity);
   return fields;
 }
 
