@@ -6,6 +6,7 @@ isolume_test(test_sweep
   unit/distance_test.cpp
   unit/fixed_point_test.cpp
   unit/band_test.cpp
+  unit/rotated_shadow_test.cpp
   unit/visibility_test.cpp
   unit/layout_test.cpp
   unit/large_index_test.cpp
