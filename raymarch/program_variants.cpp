@@ -8,9 +8,9 @@ namespace isolume {
 const std::vector<ProgramVariant>& programVariants() {
   static const std::vector<ProgramVariant> variants{
       {"beam", "shaders/fullscreen.vert", "shaders/beam.frag"},
+      {"march_lights", "shaders/fullscreen.vert", "shaders/march_lights.frag"},
       {"march_local", "shaders/fullscreen.vert", "shaders/march_local.frag"},
       {"march_octants", "shaders/fullscreen.vert", "shaders/march_octants.frag"},
-      {"march_openness", "shaders/fullscreen.vert", "shaders/march_openness.frag"},
   };
   return variants;
 }

@@ -17,6 +17,7 @@
 #include "framebuffer.h"
 #include "gl_check.h"
 #include "gpu_error.h"
+#include "lights.h"
 #include "program.h"
 #include "program_variants.h"
 #include "scene_textures.h"
@@ -45,8 +46,11 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.shading == Shading::octants && !scene.hasOctants()) {
     throw GpuError("render: expected octants for shading by them, found a scene without them");
   }
-  if (settings.shading == Shading::openness && !scene.hasOpenness()) {
-    throw GpuError("render: expected openness for shading by it, found a scene without it");
+  if (settings.shading == Shading::lights) {
+    if (scene.lights.empty()) throw GpuError("render: expected light fields for shading by them, found none");
+    if (!settings.lightColors.empty() && settings.lightColors.size() != scene.lights.size())
+      throw GpuError(fmt::format("render: expected a colour for each of {} light fields, found {}", scene.lights.size(),
+                                 settings.lightColors.size()));
   }
 }
 
@@ -63,10 +67,10 @@ shader::FrameUniforms makeUniforms(const Camera& camera, const RenderSettings& s
 
 // Index space and grid axes to the world, in double. Rows are independent.
 void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::vector<glm::vec4>& positions,
-                const Camera& camera, const GridFrame& grid, bool ambient) {
+                const std::vector<glm::vec4>& lights, const Camera& camera, const GridFrame& grid) {
   const glm::dvec3 forward = cameraAxes(camera).forward;
   const std::size_t count = normals.size();
-  frame.ambient.resize(ambient ? count : 0);
+  frame.light.resize(count);
   frame.normal.resize(count);
   frame.position.resize(count);
   frame.depth.resize(count);
@@ -74,7 +78,7 @@ void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::
   parallelFor(static_cast<std::size_t>(frame.size.y), [&](std::size_t row) {
     for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
       const bool hit = positions[i].w > 0;
-      if (ambient) frame.ambient[i] = hit ? normals[i].w : 1;
+      frame.light[i] = glm::vec3(lights[i]);
       if (!hit) {
         frame.normal[i] = glm::vec3(0);
         frame.position[i] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
@@ -91,15 +95,16 @@ void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::
 
 }  // namespace
 
-constexpr GLuint kSwept0Unit = 3;  // after level, clearance and distance: octants and geometry terms, or openness
+constexpr GLuint kSwept0Unit = 3;  // after level, clearance and distance: octants and geometry terms
 constexpr GLuint kBeamUnit = 7;
+constexpr GLuint kLight0Unit = 8;
 
 const char* variantName(Shading shading) {
   switch (shading) {
     case Shading::octants:
       return "march_octants";
-    case Shading::openness:
-      return "march_openness";
+    case Shading::lights:
+      return "march_lights";
     case Shading::local:
       return "march_local";
   }
@@ -109,6 +114,7 @@ const char* variantName(Shading shading) {
 struct Renderer::Impl {
   std::array<GlProgram, 3> programs;  // by shading, each built when it is first needed
   GlBuffer uniformBuffer = GlBuffer::create();
+  GlBuffer lightBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
   std::array<GlTexture, 2> geometryTerms;  // made with the first scene that has octants
   SceneTextures scene;
@@ -117,6 +123,7 @@ struct Renderer::Impl {
 
   Impl() {
     glNamedBufferStorage(uniformBuffer.name(), sizeof(shader::FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(lightBuffer.name(), sizeof(shader::LightUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
     checkGl("renderer");
   }
 
@@ -124,12 +131,22 @@ struct Renderer::Impl {
     GlProgram& built = programs[static_cast<std::size_t>(shading)];
     if (built.name() == 0) {
       const ProgramVariant& variant = programVariant(variantName(shading));
-      built = buildProgram(variant.vertex, variant.fragment);
+      built = shading == Shading::lights ? buildLightProgram(scene.lights.size())
+                                         : buildProgram(variant.vertex, variant.fragment);
     }
     return built;
   }
 
-  void bindInputs(const shader::FrameUniforms& uniforms, Shading shading) const {
+  void bindLights(const std::vector<glm::vec3>& colors) const {
+    const shader::LightUniforms uniforms = makeLightUniforms(scene.lightFields, colors, scene.frame);
+    glNamedBufferSubData(lightBuffer.name(), 0, sizeof(uniforms), &uniforms);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, lightBuffer.name());
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+      glBindTextureUnit(kLight0Unit + static_cast<GLuint>(i), scene.lights[i].name());
+  }
+
+  void bindInputs(const shader::FrameUniforms& uniforms, const RenderSettings& settings) const {
+    const Shading shading = settings.shading;
     glNamedBufferSubData(uniformBuffer.name(), 0, sizeof(uniforms), &uniforms);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniformBuffer.name());
     glBindVertexArray(vertexArray.name());
@@ -139,9 +156,9 @@ struct Renderer::Impl {
       for (const auto* pair : {&scene.octants, &geometryTerms})
         for (const GlTexture& texture : *pair) textures.push_back(texture.name());
     }
-    if (shading == Shading::openness) textures.push_back(scene.openness.name());
     assert(textures.size() <= kBeamUnit);
     for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
+    if (shading == Shading::lights) bindLights(settings.lightColors);
     for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -193,11 +210,12 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
   impl_->scene = uploadScene(fields);
+  impl_->programs[static_cast<std::size_t>(Shading::lights)] = {};  // it knows how many they are
   if (impl_->scene.hasOctants() && !impl_->geometryTerms[0]) impl_->geometryTerms = uploadGeometryTerms();
   // The one that such a scene is for.
-  impl_->program(impl_->scene.hasOpenness()  ? Shading::openness
-                 : impl_->scene.hasOctants() ? Shading::octants
-                                             : Shading::local);
+  impl_->program(!impl_->scene.lights.empty() ? Shading::lights
+                 : impl_->scene.hasOctants()  ? Shading::octants
+                                              : Shading::local);
 }
 
 Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Frame storage) try {
@@ -212,12 +230,13 @@ Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Fra
     frame.color = std::move(storage.color);
   frame.size = size;
   frame.color.resize(count);
-  std::vector<glm::vec4> normals(settings.layers ? count : 0), positions(settings.layers ? count : 0);
+  const std::size_t layerCount = settings.layers ? count : 0;
+  std::vector<glm::vec4> normals(layerCount), positions(layerCount), lights(layerCount);
 
   const int tileWidth = std::min(size.x, kTileWidth);
   const glm::ivec2 tile(tileWidth, std::min(size.y, kTilePixels / tileWidth));
   impl_->framebuffer.reserve(tile, settings.layers);
-  impl_->bindInputs(uniforms, settings.shading);
+  impl_->bindInputs(uniforms, settings);
   for (int y = 0; y < size.y; y += tile.y) {
     for (int x = 0; x < size.x; x += tile.x) {
       const glm::ivec2 extent = glm::min(tile, size - glm::ivec2(x, y));
@@ -228,6 +247,7 @@ Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Fra
       if (!settings.layers) continue;
       impl_->framebuffer.read(Attachment::normal, extent, &normals[start], size.x);
       impl_->framebuffer.read(Attachment::position, extent, &positions[start], size.x);
+      impl_->framebuffer.read(Attachment::light, extent, &lights[start], size.x);
     }
   }
   checkGl("frame");
@@ -235,8 +255,7 @@ Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Fra
     const float share = 1 / static_cast<float>(settings.samples);
     for (glm::vec4& color : frame.color) color *= share;
   }
-  if (settings.layers)
-    fillLayers(frame, normals, positions, camera, impl_->scene.frame, settings.shading != Shading::local);
+  if (settings.layers) fillLayers(frame, normals, positions, lights, camera, impl_->scene.frame);
   return frame;
 } catch (const std::bad_alloc&) {
   throw GpuError(fmt::format("image: not enough memory for {}x{} pixels", settings.size.x, settings.size.y));

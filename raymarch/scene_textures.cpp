@@ -9,6 +9,7 @@
 #include "clearance.h"
 #include "gl_check.h"
 #include "gpu_error.h"
+#include "light_uniforms.h"
 #include "sweep/half.h"
 #include "sweep/parallel.h"
 #include "textures.h"
@@ -62,9 +63,14 @@ SceneTextures uploadScene(const SceneFields& fields) {
       scene.octants[i] = makeTexture3D("octants", size, kRGBA8, GL_NEAREST, fields.octants[i].data);
     }
   }
-  if (fields.openness.data) {
-    checkSize("openness", fields.openness.size, size);
-    scene.openness = makeTextureSlices("openness", size, kR16, GL_NEAREST, fields.openness.data);
+  if (fields.lights.size() > shader::kMostLightFields)
+    throw GpuError(
+        fmt::format("lights: expected at most {} fields, found {}", shader::kMostLightFields, fields.lights.size()));
+  for (LightField field : fields.lights) {
+    checkSize("light", field.values.size, size);
+    scene.lights.push_back(makeTextureSlices("light", size, kR16, GL_NEAREST, field.values.data));
+    field.values = {};
+    scene.lightFields.push_back(field);
   }
   glFinish();
   checkGl("upload");

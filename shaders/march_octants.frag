@@ -24,7 +24,7 @@ vec4 octantsAt(sampler3D octants, vec3 position) {
 
 // The octants are read frame.scale.w voxels above the surface along the normal: 0 is [Singh10]. Next to the surface Eq. 7
 // makes it occlude itself by an amount that depends on where it cuts the voxels, which shows as stripes.
-float hitLight(vec3 hit, vec3 normal, vec3 viewer) {
+vec3 hitLight(vec3 hit, vec3 normal, vec3 viewer) {
   vec3 above = hit + frame.scale.w * normal;
   vec3 position = clamp(above, vec3(0.0f), vec3(frame.gridSize.xyz - 1));
   GeometryAddress address = geometryAddress(normal, float(textureSize(geometry0Texture, 0).x));
@@ -32,8 +32,8 @@ float hitLight(vec3 hit, vec3 normal, vec3 viewer) {
   vec4 geometry1 = texture(geometry1Texture, address.uv);
   vec4 visibility0 = openBeyondBorder(octantsAt(octants0Texture, position), above - position, -1.0f);
   vec4 visibility1 = openBeyondBorder(octantsAt(octants1Texture, position), above - position, 1.0f);
-  return address.swapped ? ambientOpenness(visibility0, visibility1, geometry1, geometry0)
-                         : ambientOpenness(visibility0, visibility1, geometry0, geometry1);
+  return vec3(address.swapped ? ambientOpenness(visibility0, visibility1, geometry1, geometry0)
+                              : ambientOpenness(visibility0, visibility1, geometry0, geometry1));
 }
 
 #include "march/main.glsl"

@@ -30,8 +30,8 @@ Image imageOf(const Frame& frame, const RenderJob& job) {
   const int colors = png && !job.transparent ? 3 : 4;
   for (int i = 0; i < colors; ++i) image.channels.push_back(channelOf(kColors[i], frame.color, i));
   const Layers& layers = job.layers;
-  const bool hasAmbient = !frame.ambient.empty();
-  if (hasAmbient && (layers.ambient || layers.all)) image.channels.push_back({"ambient.Y", frame.ambient});
+  const bool hasAmbient = job.occlusion.method != OcclusionMethod::none;
+  if (hasAmbient && (layers.ambient || layers.all)) image.channels.push_back(channelOf("ambient.Y", frame.light, 0));
   if (layers.normal || layers.all) addVector(image, "normal", frame.normal);
   if (layers.position || layers.all) addVector(image, "position", frame.position);
   if (layers.depth || layers.all) image.channels.push_back({"Z", frame.depth});
@@ -39,8 +39,8 @@ Image imageOf(const Frame& frame, const RenderJob& job) {
 }
 
 std::size_t frameBytes(const Frame& frame) {
-  return frame.color.size() * sizeof(glm::vec4) + (frame.ambient.size() + frame.depth.size()) * sizeof(float) +
-         (frame.normal.size() + frame.position.size()) * sizeof(glm::vec3);
+  return frame.color.size() * sizeof(glm::vec4) + frame.depth.size() * sizeof(float) +
+         (frame.light.size() + frame.normal.size() + frame.position.size()) * sizeof(glm::vec3);
 }
 
 }  // namespace isolume

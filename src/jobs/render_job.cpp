@@ -22,7 +22,7 @@ Shading shadingOf(OcclusionMethod method) {
     case OcclusionMethod::octants:
       return Shading::octants;
     case OcclusionMethod::ordinates:
-      return Shading::openness;
+      return Shading::lights;
     case OcclusionMethod::none:
       return Shading::local;
   }
@@ -57,16 +57,15 @@ SceneFields sceneFields(const SweptScene& scene, NormalSource normals) {
   if (normals == NormalSource::distance) fields.distance = scene.swept.distance.view();
   for (std::size_t i = 0; i < fields.octants.size(); ++i)
     if (!scene.swept.visibility.packed[i].empty()) fields.octants[i] = scene.swept.visibility.packed[i].view();
-  if (!scene.openness.empty()) fields.openness = scene.openness.view();
+  if (!scene.openness.empty()) fields.lights = {{scene.openness.view()}};
   return fields;
 }
 
 /// What the scene takes on the GPU, as of raymarch/renderer.h.
 std::size_t textureBytes(const SceneFields& fields) {
-  constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8, kOpennessBytes = 2;
-  return fields.level.count() *
-         (kLevelBytes + kClearanceBytes + (fields.distance.data ? kDistanceBytes : 0) +
-          (fields.octants[0].data ? kOctantsBytes : 0) + (fields.openness.data ? kOpennessBytes : 0));
+  constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8, kLightBytes = 2;
+  return fields.level.count() * (kLevelBytes + kClearanceBytes + (fields.distance.data ? kDistanceBytes : 0) +
+                                 (fields.octants[0].data ? kOctantsBytes : 0) + fields.lights.size() * kLightBytes);
 }
 
 }  // namespace
@@ -82,7 +81,7 @@ void runRenderJob(const RenderJob& job) {
   const OcclusionSetting occlusion = occlusionOf(job);
   const Shading shading = shadingOf(occlusion.method);
   if (shading == Shading::octants) needs.visibility = VisibilityStorage::rgba8;
-  if (shading == Shading::openness) needs.openness = occlusion.ordinates;
+  if (shading == Shading::lights) needs.openness = occlusion.ordinates;
   const SweptScene scene = loadScene(job.surface, needs, log);
   // Beside drawing: it reads the files once more and uses one core.
   std::future<std::string> checksums = std::async(std::launch::async, checksumText, scene.surface.files);

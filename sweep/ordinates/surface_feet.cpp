@@ -149,4 +149,10 @@ void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<st
   });
 }
 
+Grid<std::uint16_t> SurfaceFeet::spread(const std::vector<std::uint16_t>& openness) const {
+  Grid<std::uint16_t> values(level_.size, level_.spacing, level_.origin);
+  spread(openness, values.view());
+  return values;
+}
+
 }  // namespace isolume

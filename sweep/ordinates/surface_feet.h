@@ -36,6 +36,8 @@ class SurfaceFeet {
   /// values[sample] = openness[foot] at outside samples and on caps; interpolated at inside samples next to the
   /// surface; 0 elsewhere. Threaded.
   void spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values) const;
+  /// The same in a grid of its own: 2 bytes per voxel.
+  Grid<std::uint16_t> spread(const std::vector<std::uint16_t>& openness) const;
 
  private:
   glm::dvec3 normalAt(glm::ivec3 at) const;

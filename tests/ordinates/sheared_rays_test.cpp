@@ -73,7 +73,8 @@ int expectPlainSums(const RayCase& given) {
   const std::vector<std::int32_t> want =
       test::plainRays(given.lattice, kSpacing, given.axis, given.towards, given.directions, points, kScale);
   std::vector<std::int32_t> got(points.count() + kRayPadding, 0);
-  sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points, kScale, got.data());
+  sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points,
+            {.scale = kScale, .sums = got.data()});
   int blocked = 0, wrong = 0;
   for (std::size_t i = 0; i < points.count(); ++i) {
     blocked += want[i] != 0 ? 1 : 0;
@@ -114,8 +115,8 @@ TEST(ShearedRays, AddToWhatIsThere) {
   points.sort(given.feet, given.lattice, kSpacing, given.axis);
   std::vector<std::int32_t> sums(points.count() + kRayPadding, 0);
   const auto sweep = [&] {
-    sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points, 1 << 20,
-              sums.data());
+    sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points,
+              {.scale = 1 << 20, .sums = sums.data()});
   };
   sweep();
   const std::vector<std::int32_t> once = sums;

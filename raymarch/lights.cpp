@@ -1,0 +1,38 @@
+#include "lights.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <string>
+
+#include "program.h"
+#include "program_variants.h"
+
+namespace isolume {
+
+shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, const std::vector<glm::vec3>& colors,
+                                        const GridFrame& grid) {
+  shader::LightUniforms uniforms{};
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const LightField& field = fields[i];
+    uniforms.color[i] = glm::vec4(field.full * (colors.empty() ? glm::vec3(1) : colors[i]), 0);
+    if (field.radiusDegrees > 0)
+      uniforms.disc[i] = glm::dvec4(glm::transpose(grid.worldFromAxes) * glm::normalize(field.direction),
+                                    glm::radians(field.radiusDegrees));
+  }
+  return uniforms;
+}
+
+GlProgram buildLightProgram(std::size_t fields) {
+  assert(fields >= 1 && fields <= shader::kMostLightFields);
+  const std::string counts = fmt::format("const int kLightFields = {};\n", fields);
+  const ProgramVariant& variant = programVariant("march_lights");
+  return buildProgram(variant.vertex, variant.fragment, [&counts](std::string_view name) {
+    return name == "shaders/march/light_counts.glsl" ? std::string_view(counts) : embeddedShader(name);
+  });
+}
+
+}  // namespace isolume
