@@ -34,7 +34,9 @@ struct GeometryTermTables {
   int size = 0;
   std::array<std::vector<glm::vec4>, 2> texels;  ///< row-major, size * size each
 };
-/// size >= 2. At 256 bilinear lookup is within 1e-4 of the closed form.
-GeometryTermTables makeGeometryTermTables(int size = 256, GeometryTerm term = GeometryTerm::front);
+/// Bilinear lookup is then within 1e-4 of the closed form.
+inline constexpr int kGeometryTableSize = 256;
+/// size >= 2.
+GeometryTermTables makeGeometryTermTables(int size = kGeometryTableSize, GeometryTerm term = GeometryTerm::front);
 
 }  // namespace isolume

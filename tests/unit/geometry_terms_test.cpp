@@ -102,7 +102,7 @@ glm::dvec4 lookUp(const GeometryTermTables& tables, int table, glm::dvec3 normal
 TEST(GeometryTermTables, InterpolatedLookupEqualsTheClosedForm) {
   // Bilinear lookup at any normal, mirrored for N.z < 0, is within 1e-4 of G_s(N), the horizon of the table included.
   for (const GeometryTerm term : {GeometryTerm::front, GeometryTerm::bothSides}) {
-    const GeometryTermTables tables = makeGeometryTermTables(256, term);
+    const GeometryTermTables tables = makeGeometryTermTables(kGeometryTableSize, term);
     double worst = 0;
     for (const glm::dvec3& normal : testNormals()) {
       const bool down = normal.z < 0;
