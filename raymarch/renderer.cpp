@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -18,6 +19,7 @@
 #include "gl_check.h"
 #include "gpu_error.h"
 #include "lights.h"
+#include "octant_lights.h"
 #include "program.h"
 #include "program_variants.h"
 #include "scene_textures.h"
@@ -46,6 +48,15 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.shading == Shading::octants && !scene.hasOctants()) {
     throw GpuError("render: expected octants for shading by them, found a scene without them");
   }
+  for (std::size_t s = 0; s < settings.octantLight.size(); ++s)
+    for (int color = 0; color < 3; ++color) {
+      const float light = settings.octantLight[s][color];
+      if (!(light >= 0 && std::isfinite(light)))
+        throw GpuError(
+            fmt::format("octant {}: expected a finite light of at least 0, found {}", kOctants[s].name, light));
+    }
+  if (settings.shading == Shading::shadow && !(glm::length(settings.towardsLight) > 0))
+    throw GpuError("render: expected a direction towards the light, found 0,0,0");
   if (settings.shading == Shading::lights) {
     if (scene.lights.empty()) throw GpuError("render: expected light fields for shading by them, found none");
     if (!settings.lightColors.empty() && settings.lightColors.size() != scene.lights.size())
@@ -107,16 +118,19 @@ const char* variantName(Shading shading) {
       return "march_lights";
     case Shading::local:
       return "march_local";
+    case Shading::shadow:
+      return "march_shadow";
   }
   return nullptr;
 }
 
 struct Renderer::Impl {
-  std::array<GlProgram, 3> programs;  // by shading, each built when it is first needed
+  std::array<GlProgram, 4> programs;  // by shading, each built when it is first needed
   GlBuffer uniformBuffer = GlBuffer::create();
   GlBuffer lightBuffer = GlBuffer::create();
+  GlBuffer octantBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
-  std::array<GlTexture, 2> geometryTerms;  // made with the first scene that has octants
+  std::array<std::array<GlTexture, 2>, 2> geometryTerms;  // by term, each made when it is first needed
   SceneTextures scene;
   Framebuffer framebuffer;
   BeamPass beams;
@@ -124,6 +138,7 @@ struct Renderer::Impl {
   Impl() {
     glNamedBufferStorage(uniformBuffer.name(), sizeof(shader::FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
     glNamedBufferStorage(lightBuffer.name(), sizeof(shader::LightUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(octantBuffer.name(), sizeof(shader::OctantLights), nullptr, GL_DYNAMIC_STORAGE_BIT);
     checkGl("renderer");
   }
 
@@ -137,6 +152,29 @@ struct Renderer::Impl {
     return built;
   }
 
+  const std::array<GlTexture, 2>& geometryTerm(GeometryTerm term) {
+    std::array<GlTexture, 2>& tables = geometryTerms[static_cast<std::size_t>(term)];
+    if (!tables[0]) tables = uploadGeometryTerms(term);
+    return tables;
+  }
+
+  void bindOctants(const RenderSettings& settings) {
+    const shader::OctantLights uniforms = makeOctantLights(settings.octantLight);
+    glNamedBufferSubData(octantBuffer.name(), 0, sizeof(uniforms), &uniforms);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 2, octantBuffer.name());
+    GLuint unit = kSwept0Unit;
+    for (const GlTexture& texture : scene.octants) glBindTextureUnit(unit++, texture.name());
+    for (const GlTexture& texture : geometryTerm(settings.geometryTerm)) glBindTextureUnit(unit++, texture.name());
+    assert(unit <= kBeamUnit);
+  }
+
+  // The shadow's direction belongs to its program.
+  void setShadow(glm::dvec3 towardsLight) {
+    constexpr GLint kTowardsLight = 1;
+    const glm::vec3 along(glm::transpose(scene.frame.worldFromAxes) * glm::normalize(towardsLight));
+    glProgramUniform3f(program(Shading::shadow).name(), kTowardsLight, along.x, along.y, along.z);
+  }
+
   void bindLights(const std::vector<glm::vec3>& colors) const {
     const shader::LightUniforms uniforms = makeLightUniforms(scene.lightFields, colors, scene.frame);
     glNamedBufferSubData(lightBuffer.name(), 0, sizeof(uniforms), &uniforms);
@@ -145,19 +183,15 @@ struct Renderer::Impl {
       glBindTextureUnit(kLight0Unit + static_cast<GLuint>(i), scene.lights[i].name());
   }
 
-  void bindInputs(const shader::FrameUniforms& uniforms, const RenderSettings& settings) const {
+  void bindInputs(const shader::FrameUniforms& uniforms, const RenderSettings& settings) {
     const Shading shading = settings.shading;
     glNamedBufferSubData(uniformBuffer.name(), 0, sizeof(uniforms), &uniforms);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniformBuffer.name());
     glBindVertexArray(vertexArray.name());
-    std::vector<GLuint> textures{scene.level.name(), scene.clearance.name(), scene.distance.name()};
-    assert(textures.size() == kSwept0Unit);
-    if (shading == Shading::octants) {
-      for (const auto* pair : {&scene.octants, &geometryTerms})
-        for (const GlTexture& texture : *pair) textures.push_back(texture.name());
-    }
-    assert(textures.size() <= kBeamUnit);
+    const std::array<GLuint, kSwept0Unit> textures{scene.level.name(), scene.clearance.name(), scene.distance.name()};
     for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
+    if (shading == Shading::octants) bindOctants(settings);
+    if (shading == Shading::shadow) setShadow(settings.towardsLight);
     if (shading == Shading::lights) bindLights(settings.lightColors);
     for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
     glBlendEquation(GL_FUNC_ADD);
@@ -211,7 +245,7 @@ void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
   impl_->scene = uploadScene(fields);
   impl_->programs[static_cast<std::size_t>(Shading::lights)] = {};  // it knows how many they are
-  if (impl_->scene.hasOctants() && !impl_->geometryTerms[0]) impl_->geometryTerms = uploadGeometryTerms();
+  if (impl_->scene.hasOctants()) impl_->geometryTerm(GeometryTerm::front);
   // The one that such a scene is for.
   impl_->program(!impl_->scene.lights.empty() ? Shading::lights
                  : impl_->scene.hasOctants()  ? Shading::octants
