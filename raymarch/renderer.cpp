@@ -18,6 +18,7 @@
 #include "gl_check.h"
 #include "gpu_error.h"
 #include "lights.h"
+#include "octant_lights.h"
 #include "program.h"
 #include "program_variants.h"
 #include "scene_textures.h"
@@ -46,7 +47,19 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.shading == Shading::octants && !scene.hasOctants()) {
     throw GpuError("render: expected octants for shading by them, found a scene without them");
   }
+  for (std::size_t s = 0; s < settings.octantLight.size(); ++s)
+    for (int color = 0; color < 3; ++color) {
+      const float light = settings.octantLight[s][color];
+      if (!(light >= 0 && std::isfinite(light)))
+        throw GpuError(
+            fmt::format("octant {}: expected a finite light of at least 0, found {}", kOctants[s].name, light));
+    }
   if (settings.shading == Shading::lights) {
+    if (settings.suns.size() > shader::kMostSuns)
+      throw GpuError(fmt::format("render: expected at most {} suns, found {}", shader::kMostSuns, settings.suns.size()));
+    for (const HardSun& sun : settings.suns)
+      if (!(glm::length(sun.direction) > 0))
+        throw GpuError("render: expected a direction towards each sun, found 0,0,0");
     if (!settings.lightColors.empty() && settings.lightColors.size() != scene.lights.size())
       throw GpuError(fmt::format("render: expected a colour for each of {} light fields, found {}", scene.lights.size(),
                                  settings.lightColors.size()));
@@ -116,8 +129,10 @@ struct Renderer::Impl {
   std::array<GlProgram, 3> programs;  // by shading, each built when it is first needed
   GlBuffer uniformBuffer = GlBuffer::create();
   GlBuffer lightBuffer = GlBuffer::create();
+  GlBuffer octantBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
-  std::array<GlTexture, 2> geometryTerms;  // made with the first scene that has octants
+  std::array<std::array<GlTexture, 2>, 2> geometryTerms;  // by term, each made when it is first needed
+  std::size_t builtSuns = 0;  // that the program of light fields knows
   SceneTextures scene;
   Framebuffer framebuffer;
   BeamPass beams;
@@ -125,17 +140,37 @@ struct Renderer::Impl {
   Impl() {
     glNamedBufferStorage(uniformBuffer.name(), sizeof(shader::FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
     glNamedBufferStorage(lightBuffer.name(), sizeof(shader::LightUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(octantBuffer.name(), sizeof(shader::OctantLights), nullptr, GL_DYNAMIC_STORAGE_BIT);
     checkGl("renderer");
   }
 
-  const GlProgram& program(Shading shading) {
+  // `suns`: of Shading::lights.
+  const GlProgram& program(Shading shading, std::size_t suns = 0) {
     GlProgram& built = programs[static_cast<std::size_t>(shading)];
+    if (shading == Shading::lights && builtSuns != suns) built = {};
+    builtSuns = shading == Shading::lights ? suns : builtSuns;
     if (built.name() == 0) {
       const ProgramVariant& variant = programVariant(variantName(shading));
-      built = shading == Shading::lights ? buildLightProgram(scene.lights.size())
+      built = shading == Shading::lights ? buildLightProgram(scene.lights.size(), suns)
                                          : buildProgram(variant.vertex, variant.fragment);
     }
     return built;
+  }
+
+  const std::array<GlTexture, 2>& geometryTerm(GeometryTerm term) {
+    std::array<GlTexture, 2>& tables = geometryTerms[static_cast<std::size_t>(term)];
+    if (!tables[0]) tables = uploadGeometryTerms(term);
+    return tables;
+  }
+
+  void bindOctants(const RenderSettings& settings) {
+    const shader::OctantLights uniforms = makeOctantLights(settings.octantLight, settings.geometryTerm);
+    glNamedBufferSubData(octantBuffer.name(), 0, sizeof(uniforms), &uniforms);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 2, octantBuffer.name());
+    GLuint unit = kSwept0Unit;
+    for (const GlTexture& texture : scene.octants) glBindTextureUnit(unit++, texture.name());
+    for (const GlTexture& texture : geometryTerm(settings.geometryTerm)) glBindTextureUnit(unit++, texture.name());
+    assert(unit <= kBeamUnit);
   }
 
   void bindLights(const RenderSettings& settings) const {
@@ -146,19 +181,14 @@ struct Renderer::Impl {
       glBindTextureUnit(kLight0Unit + static_cast<GLuint>(i), scene.lights[i].name());
   }
 
-  void bindInputs(const shader::FrameUniforms& uniforms, const RenderSettings& settings) const {
+  void bindInputs(const shader::FrameUniforms& uniforms, const RenderSettings& settings) {
     const Shading shading = settings.shading;
     glNamedBufferSubData(uniformBuffer.name(), 0, sizeof(uniforms), &uniforms);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniformBuffer.name());
     glBindVertexArray(vertexArray.name());
-    std::vector<GLuint> textures{scene.level.name(), scene.clearance.name(), scene.distance.name()};
-    assert(textures.size() == kSwept0Unit);
-    if (shading == Shading::octants) {
-      for (const auto* pair : {&scene.octants, &geometryTerms})
-        for (const GlTexture& texture : *pair) textures.push_back(texture.name());
-    }
-    assert(textures.size() <= kBeamUnit);
+    const std::array<GLuint, kSwept0Unit> textures{scene.level.name(), scene.clearance.name(), scene.distance.name()};
     for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
+    if (shading == Shading::octants) bindOctants(settings);
     if (shading == Shading::lights) bindLights(settings);
     for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
     glBlendEquation(GL_FUNC_ADD);
@@ -185,7 +215,7 @@ struct Renderer::Impl {
   // are drawn on their own.
   void drawTile(glm::vec2 pixelOrigin, glm::ivec2 size, const RenderSettings& settings, glm::vec4 background) {
     const std::vector<TileRect> rects = beams.trace(pixelOrigin, size);
-    const GlProgram& march = program(settings.shading);
+    const GlProgram& march = program(settings.shading, settings.suns.size());
     const bool single = settings.samples == 1;
     if (single || settings.layers) {
       framebuffer.bind(size, single, settings.layers);
@@ -212,7 +242,7 @@ void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
   impl_->scene = uploadScene(fields);
   impl_->programs[static_cast<std::size_t>(Shading::lights)] = {};  // it knows how many they are
-  if (impl_->scene.hasOctants() && !impl_->geometryTerms[0]) impl_->geometryTerms = uploadGeometryTerms();
+  if (impl_->scene.hasOctants()) impl_->geometryTerm(GeometryTerm::front);
   // The one that such a scene is for.
   impl_->program(!impl_->scene.lights.empty() ? Shading::lights
                  : impl_->scene.hasOctants()  ? Shading::octants

@@ -13,6 +13,7 @@
 #include "light_field.h"
 #include "sweep/geometry_terms.h"
 #include "sweep/grid.h"
+#include "sweep/octants.h"
 
 namespace isolume {
 
@@ -29,10 +30,14 @@ struct SceneFields {
 
 enum class NormalSource { data, distance };
 enum class Shading {
-  octants,  ///< A = sum V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point gives 1
-  lights,   ///< the sum of the light fields, interpolated at the hit, times their colours, and a head light
+  octants,  ///< sum I_s V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point under I = 1 gives 1
+  lights,   ///< the sum of the light fields, interpolated at the hit, times their colours, a head light and suns
   local,    ///< head light, N . V: nothing swept needed
 };
+
+/// The uniform white sky.
+inline constexpr std::array<glm::vec3, kOctantCount> kWhiteOctants{
+    glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1)};
 
 struct RenderSettings {
   glm::ivec2 size{1024, 1024};
@@ -41,12 +46,17 @@ struct RenderSettings {
   NormalSource normals = NormalSource::data;
   float occlusionOffsetVoxels =
       0;  ///< octants are read that far above the hit along the normal, index space; 0 is [Singh10]
-  std::vector<glm::vec3> lightColors = {};  ///< of each light field, linear, >= 0; empty: white
-  glm::vec3 headLight{0};                   ///< Shading::lights: of a light from the eye without shadows, linear
-  float gamma = 1;                          ///< colour = albedo * light^(1 / gamma) ([Singh10] Sec. 2 uses 2)
-  glm::vec3 albedo{1};                      ///< linear
-  glm::vec4 background{1, 1, 1, 1};         ///< linear, not premultiplied; alpha 0 = transparent
-  bool layers = false;                      ///< also fill light, normal, position, depth
+  /// I_s, linear, finite, >= 0, by octant of sweep/octants.h (grid axes). The four with towardsLight().z > 0 alone are
+  /// a cloudy day ([Singh10] Fig. 7). They and the geometry term change at the cost of a frame.
+  std::array<glm::vec3, kOctantCount> octantLight = kWhiteOctants;
+  GeometryTerm geometryTerm = GeometryTerm::front;  ///< octants: bothSides for a translucent solid
+  std::vector<glm::vec3> lightColors = {};          ///< of each light field, linear, >= 0; empty: white
+  glm::vec3 headLight{0};                           ///< lights: one from the eye without shadows, linear
+  std::vector<HardSun> suns = {};                   ///< lights: up to kMostSuns, with shadows of the solid itself
+  float gamma = 1;                                  ///< colour = albedo * light^(1 / gamma) ([Singh10] Sec. 2 uses 2)
+  glm::vec3 albedo{1};                              ///< linear
+  glm::vec4 background{1, 1, 1, 1};                 ///< linear, not premultiplied; alpha 0 = transparent
+  bool layers = false;                              ///< also fill light, normal, position, depth
 };
 
 /// Row-major, top row first. Colour is linear and premultiplied. Layers are taken at the centre of the pixel, never

@@ -77,8 +77,8 @@ SceneTextures uploadScene(const SceneFields& fields) {
   return scene;
 }
 
-std::array<GlTexture, 2> uploadGeometryTerms() {
-  const GeometryTermTables tables = makeGeometryTermTables();
+std::array<GlTexture, 2> uploadGeometryTerms(GeometryTerm term) {
+  const GeometryTermTables tables = makeGeometryTermTables(kGeometryTableSize, term);
   std::array<GlTexture, 2> textures;
   for (std::size_t i = 0; i < textures.size(); ++i) {
     textures[i] =

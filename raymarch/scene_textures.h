@@ -24,6 +24,6 @@ struct SceneTextures {
 SceneTextures uploadScene(const SceneFields& fields);
 
 /// The tables of geometry terms, RGBA32F.
-std::array<GlTexture, 2> uploadGeometryTerms();
+std::array<GlTexture, 2> uploadGeometryTerms(GeometryTerm term);
 
 }  // namespace isolume

@@ -43,6 +43,7 @@ IntegrandSettings integrandSettings(const ReferenceJob& job, const Environment* 
   settings.environment = environment;
   settings.bounces = job.bounces.value_or(kDefaultBounces);
   settings.albedo = job.albedo.linear;
+  settings.opacity = job.opacity.value_or(settings.opacity);
   return settings;
 }
 

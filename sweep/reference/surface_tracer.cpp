@@ -153,6 +153,17 @@ bool SurfaceTracer::isBlocked(const GridRay& ray, const SurfacePoint& from) cons
   return blocked;
 }
 
+double SurfaceTracer::lengthInside(const GridRay& ray, const SurfacePoint& from) const {
+  if (leavesAtOnce(level_.size, from.position, ray.direction)) return 0;
+  double length = 0;
+  visitSolidCells(solid_, ray, RayWalk(ray, level_.size, ray.start, -1), ray.end, [&](const Segment& segment) {
+    const Cubic cubic = segment.cubic(CellCorners(level_, segment.cell));
+    length += positiveShare(cubic) * (segment.toT - segment.fromT);
+    return false;
+  });
+  return length;
+}
+
 double SurfaceTracer::levelAt(glm::dvec3 position) const {
   const glm::ivec3 cell = cellOf(level_, position);
   return CellCorners(level_, cell).valueAt(position - glm::dvec3(cell));

@@ -6,7 +6,8 @@ set(ISOLUME_ESTIMATOR_TESTS
   estimators/membership_test.cpp
   estimators/openness_test.cpp
   estimators/pixels_test.cpp
-  estimators/sampling_test.cpp)
+  estimators/sampling_test.cpp
+  estimators/translucent_test.cpp)
 set(ISOLUME_ESTIMATOR_LIBRARIES isolume_reference isolume_volumes)
 if(TARGET isolume_test_embree)
   list(APPEND ISOLUME_ESTIMATOR_TESTS estimators/embree_test.cpp support/cpu_tracer.cpp)
