@@ -48,10 +48,29 @@ Choices<Setter> keysOf(LightKind kind) {
         throw UsageError(fmt::format("{}: expected a direction that is not 0, found {}", option, text));
     });
     keys.emplace_back("radius", [](LightRequest& light, const std::string& option, const std::string& text) {
-      light.radiusDegrees = parseWithin(option, text, 0, kLargestSun);
+      light.radiusDegrees = parsePositive(option, text);
+      parseWithin(option, text, 0, kLargestSun);
+    });
+    keys.emplace_back("shadow", [](LightRequest& light, const std::string& option, const std::string& text) {
+      light.shadow = parseChoice<SunShadow>(
+          option, text, {{"soft", SunShadow::soft}, {"hard", SunShadow::hard}, {"turned", SunShadow::turned}});
     });
     keys.emplace_back("from", [](LightRequest& light, const std::string& option, const std::string& text) {
       light.fromCamera = parseChoice<bool>(option, text, {{"world", false}, {"camera", true}});
+    });
+  }
+  if (kind == LightKind::octants) {
+    keys.emplace_back("top", [](LightRequest& light, const std::string& option, const std::string& text) {
+      if (!parseChoice<bool>(option, text, {{"only", true}, {"too", false}})) return;
+      for (std::size_t s = 0; s < light.octants.size(); ++s)
+        if (kOctants[s].towardsLight().z < 0) light.octants[s] = 0;
+    });
+    keys.emplace_back("intensities", [](LightRequest& light, const std::string& option, const std::string& text) {
+      const std::vector<std::string> parts = splitList(text);
+      if (parts.size() != light.octants.size())
+        throw UsageError(fmt::format("{}: expected {} numbers, found {}", option, light.octants.size(), parts.size()));
+      for (std::size_t s = 0; s < parts.size(); ++s)
+        light.octants[s] = static_cast<float>(parseWithin(option, parts[s], 0, kBrightest));
     });
   }
   return keys;
@@ -63,9 +82,12 @@ LightRequest parseLight(std::string_view option, std::string_view text) {
   const std::vector<std::string> parts = splitList(text, ":");
   LightRequest light;
   light.text = std::string(text);
-  light.kind = parseChoice<LightKind>(
-      option, parts.empty() ? "" : parts.front(),
-      {{"sky", LightKind::sky}, {"gradient", LightKind::gradient}, {"sun", LightKind::sun}, {"head", LightKind::head}});
+  light.kind = parseChoice<LightKind>(option, parts.empty() ? "" : parts.front(),
+                                      {{"sky", LightKind::sky},
+                                       {"gradient", LightKind::gradient},
+                                       {"sun", LightKind::sun},
+                                       {"head", LightKind::head},
+                                       {"octants", LightKind::octants}});
   const Choices<Setter> keys = keysOf(light.kind);
   std::vector<std::string> seen;
   for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -94,9 +116,9 @@ void addLightOptions(CLI::App& app, LightingRequest& lighting) {
            for (const std::string& text : texts) lighting.lights.push_back(parseLight("--light", text));
          },
          "once or more: KIND[:KEY=VALUE...], each with color and\nintensity: sky; gradient (zenith, horizon, ground: "
-         "colours);\nsun (azimuth, elevation as of the camera, or direction=X,Y,Z;\nradius in degrees, 0: hard "
-         "shadows; "
-         "from=camera: angles from\nthe eye); head (from the eye, without shadows)")
+         "colours);\nsun (azimuth, elevation as of the camera, or direction=X,Y,Z;\nshadow=soft with radius in degrees, "
+         "hard or turned;\nfrom=camera: angles from the eye); head (from the eye, without\nshadows); octants "
+         "(intensities=I0,...,I7, top=only; with\n--occlusion singh10, octants or combined)")
       ->type_name("LIGHT")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

@@ -24,11 +24,13 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
         occlusion.method = parseChoice<OcclusionMethod>(option, text,
                                                         {{"singh10", OcclusionMethod::singh10},
                                                          {"octants", OcclusionMethod::octants},
+                                                         {"combined", OcclusionMethod::combined},
                                                          {"ordinates", OcclusionMethod::ordinates},
                                                          {"none", OcclusionMethod::none}});
       },
       "ordinates: ambient occlusion by many directions;\nsingh10: by eight octant sweeps, as published;\n"
-      "octants: the same, read above the surface;\nnone: a head light, nothing swept (default: ordinates)");
+      "octants: the same, read above the surface;\ncombined: the octants as one number;\nnone: a head light, nothing "
+      "swept (default: ordinates)");
   group.value(
       "--quality", "LEVEL",
       [&occlusion](const std::string& option, const std::string& text) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "src/jobs/occlusion_method.h"
+#include "sweep/occlusion_sweep.h"
 
 namespace isolume {
 
@@ -20,6 +22,13 @@ enum class LightKind {
   gradient,  ///< a sky of three bands: zenith, horizon, ground
   sun,       ///< a disc at the sky
   head,      ///< from the eye, without shadow
+  octants,   ///< the eight octants of [Singh10], each with an intensity of its own
+};
+
+enum class SunShadow {
+  soft,    ///< by ordinates over its disc; with octants, the one octant that it stands in ([Singh10] Fig. 8)
+  hard,    ///< a ray in the shader
+  turned,  ///< one octant on a grid that is turned towards it ([Singh10] Sec. 4.1)
 };
 
 /// One --light.
@@ -31,7 +40,9 @@ struct LightRequest {
   std::optional<glm::dvec3> direction;               ///< sun: towards it, world; instead of angles
   double azimuthDegrees = 0, elevationDegrees = 45;  ///< sun: where it stands, as a camera's (raymarch/camera.h)
   bool fromCamera = false;                           ///< sun: angles from the eye: to the right, and up
-  double radiusDegrees = 1;                          ///< sun: angular radius, [0, 90]; 0: hard shadows, in the shader
+  SunShadow shadow = SunShadow::soft;
+  std::array<float, kOctantCount> octants = kEvenOctants;  ///< octants: of sweep/octants.h
+  double radiusDegrees = 1;                                ///< sun: angular radius, (0, 90], of a soft shadow
 };
 
 struct LightingRequest {
@@ -51,6 +62,12 @@ bool isPlain(const LightingRequest& request);
 
 /// UsageError for options that contradict each other or the method of occlusion.
 void checkLighting(const LightingRequest& request, OcclusionMethod method);
+
+/// Towards a sun, world, unit; angles as those of a camera in the world.
+glm::dvec3 worldDirection(const LightRequest& sun);
+
+/// What the request comes to with eight octants of the grid's axes: a sun is the octant that it stands in.
+std::array<glm::vec3, kOctantCount> octantLights(const LightingRequest& request, glm::dmat3 worldFromAxes);
 
 /// The first option that was given, or nullptr.
 const char* givenOption(const LightingRequest& request);

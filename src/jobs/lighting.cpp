@@ -15,6 +15,7 @@
 #include "sweep/ordinates/inter_reflection.h"
 #include "sweep/ordinates/sky_ordinates.h"
 #include "sweep/ordinates/translucency.h"
+#include "sweep/rotated_shadow.h"
 
 namespace isolume {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 /// Directions over a disc: as dense as this many over the sphere, and at least kLeastDisc. A disc of 5 degrees has 62.
 constexpr double kDiscDensity = 32768;
 constexpr int kLeastDisc = 32;
-/// A sun with hard shadows, where what it adds to reflections is swept.
+/// A sun that is a point: what it adds to reflections, and the cosine of a turned grid.
 constexpr double kPointDegrees = 0.25;
 /// World units; of a solid that holds nothing back.
 constexpr double kNoOpacity = 1e30;
@@ -30,14 +31,11 @@ constexpr double kNoOpacity = 1e30;
 bool isGrey(glm::vec3 color) { return color.r == color.g && color.g == color.b; }
 
 glm::dvec3 sunDirection(const LightRequest& sun, const Camera& camera) {
-  if (sun.direction) return glm::normalize(*sun.direction);
+  if (!sun.fromCamera) return worldDirection(sun);
   const double azimuth = glm::radians(sun.azimuthDegrees), elevation = glm::radians(sun.elevationDegrees);
-  if (sun.fromCamera) {
-    const CameraAxes axes = cameraAxes(camera);
-    return std::cos(elevation) * (std::sin(azimuth) * axes.right - std::cos(azimuth) * axes.forward) +
-           std::sin(elevation) * axes.up;
-  }
-  return {std::cos(elevation) * std::sin(azimuth), -std::cos(elevation) * std::cos(azimuth), std::sin(elevation)};
+  const CameraAxes axes = cameraAxes(camera);
+  return std::cos(elevation) * (std::sin(azimuth) * axes.right - std::cos(azimuth) * axes.forward) +
+         std::sin(elevation) * axes.up;
 }
 
 int discOrdinates(double radiusDegrees) {
@@ -174,16 +172,18 @@ class LightingSweep {
 
   void addSun(const LightRequest& sun, glm::vec3 color) {
     const glm::dvec3 world = sunDirection(sun, camera_), direction = axesFromWorld() * world;
-    const bool hard = sun.radiusDegrees == 0;
     open_ += color;
-    if (hard) {
-      swept_.suns.push_back({world, color});
-      if (request_.bounces.value_or(0) == 0) return;
+    if (sun.shadow == SunShadow::turned) {
+      const LightField use{.values = {}, .direction = world, .radiusDegrees = kPointDegrees};
+      addField({sweepRotatedShadow(distance_, direction), 1}, color, use);
     }
-    const double radius = hard ? kPointDegrees : sun.radiusDegrees;
-    DiscLight disc = sweepDisc(rays_, direction, radius, hard ? 1 : discOrdinates(radius));
+    if (sun.shadow == SunShadow::hard) swept_.suns.push_back({world, color});
+    const bool soft = sun.shadow == SunShadow::soft;
+    if (!soft && request_.bounces.value_or(0) == 0) return;
+    const double radius = soft ? sun.radiusDegrees : kPointDegrees;
+    DiscLight disc = sweepDisc(rays_, direction, radius, soft ? discOrdinates(radius) : 1);
     addDirect(disc.light.data(), color);
-    if (!hard) addField(std::move(disc.share), color, {.values = {}, .direction = world, .radiusDegrees = radius});
+    if (soft) addField(std::move(disc.share), color, {.values = {}, .direction = world, .radiusDegrees = radius});
   }
 
   const LightingRequest& request_;

@@ -3,8 +3,11 @@
 #include <fmt/core.h>
 
 #include <future>
+#include <numeric>
+#include <utility>
 
 #include "raymarch/context.h"
+#include "raymarch/view.h"
 #include "src/io/image.h"
 #include "src/io/image_codec.h"
 #include "src/io/output_file.h"
@@ -25,6 +28,7 @@ Shading shadingOf(OcclusionMethod method) {
     case OcclusionMethod::singh10:
     case OcclusionMethod::octants:
       return Shading::octants;
+    case OcclusionMethod::combined:
     case OcclusionMethod::ordinates:
       return Shading::lights;
     case OcclusionMethod::none:
@@ -40,13 +44,18 @@ OcclusionSetting occlusionOf(const RenderJob& job) {
   return chooseOcclusion(request);
 }
 
-RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occlusion, const SweptLighting& lighting) {
+RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occlusion, const SweptLighting& lighting,
+                              glm::dmat3 worldFromAxes) {
   RenderSettings settings;
   settings.size = job.size;
   settings.samples = job.samples;
   settings.shading = shadingOf(occlusion.method);
   settings.normals = job.normals;
   settings.occlusionOffsetVoxels = static_cast<float>(occlusion.offset);
+  if (settings.shading == Shading::octants) {
+    settings.octantLight = octantLights(job.light, worldFromAxes);
+    if (job.light.opacity.value_or(1) < 1) settings.geometryTerm = GeometryTerm::bothSides;
+  }
   settings.lightColors = lighting.colors;
   settings.headLight = lighting.head;
   settings.suns = lighting.suns;
@@ -71,6 +80,25 @@ SceneFields sceneFields(const SweptScene& scene, const SweptLighting& lighting, 
   return fields;
 }
 
+/// Of grey lights, by octant of the grid's axes; the mean over them is what is swept.
+OctantIntensities combinedIntensities(const LightingRequest& request) {
+  OctantIntensities intensities;
+  const std::array<glm::vec3, kOctantCount> lights = octantLights(request, glm::dmat3(1));
+  for (std::size_t s = 0; s < intensities.size(); ++s) intensities[s] = lights[s].g;
+  return intensities;
+}
+
+/// An open point sees half of the octants: it gets what they add up to over half their number.
+SweptLighting combinedLight(const LightingRequest& request, OctantVisibility& visibility) {
+  const OctantIntensities intensities = combinedIntensities(request);
+  const float sum = std::accumulate(intensities.begin(), intensities.end(), 0.0f);
+  SweptLighting lighting;
+  lighting.fields.push_back({std::move(visibility.combined), sum / (kOctantCount / 2)});
+  lighting.uses.push_back({.values = {}, .full = lighting.fields[0].full});
+  lighting.colors.push_back(glm::vec3(1));
+  return lighting;
+}
+
 /// What the scene takes on the GPU, as of raymarch/renderer.h.
 std::size_t textureBytes(const SceneFields& fields) {
   constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8, kLightBytes = 2;
@@ -81,7 +109,7 @@ std::size_t textureBytes(const SceneFields& fields) {
 /// Stages `environment`, if there is a map, and `visibility`.
 SweptLighting lightScene(const RenderJob& job, const OcclusionSetting& occlusion, const SweptScene& scene,
                          const Camera& camera, StageLog& log) {
-  if (shadingOf(occlusion.method) != Shading::lights) return {};
+  if (occlusion.method != OcclusionMethod::ordinates) return {};
   std::optional<EnvironmentMap> map;
   if (!job.light.environment.empty()) {
     log.begin("environment", "reading " + job.light.environment);
@@ -112,10 +140,16 @@ void runRenderJob(const RenderJob& job) {
   const Shading shading = shadingOf(occlusion.method);
   FieldNeeds needs{.distance = job.normals == NormalSource::distance || shading == Shading::lights};
   if (shading == Shading::octants) needs.visibility = VisibilityStorage::rgba8;
-  const SweptScene scene = loadScene(job.surface, needs, log);
+  if (byOctants(occlusion.method)) needs.opacity = static_cast<float>(job.light.opacity.value_or(1));
+  if (occlusion.method == OcclusionMethod::combined) {
+    needs.visibility = VisibilityStorage::combined;
+    needs.intensities = combinedIntensities(job.light);
+  }
+  SweptScene scene = loadScene(job.surface, needs, log);
   const double aspect = static_cast<double>(job.size.x) / job.size.y;
   const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
-  const SweptLighting lighting = lightScene(job, occlusion, scene, camera, log);
+  SweptLighting lighting = lightScene(job, occlusion, scene, camera, log);
+  if (occlusion.method == OcclusionMethod::combined) lighting = combinedLight(job.light, scene.swept.visibility);
   // Beside drawing: it reads the files once more and uses one core.
   std::vector<std::string> files = scene.surface.files;
   if (!job.light.environment.empty()) files.push_back(job.light.environment);
@@ -129,7 +163,8 @@ void runRenderJob(const RenderJob& job) {
   log.end(textureBytes(fields));
 
   log.begin("frame", "drawing");
-  const Frame frame = renderer.render(camera, renderSettings(job, occlusion, lighting));
+  const Frame frame = renderer.render(
+      camera, renderSettings(job, occlusion, lighting, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes));
   log.end(frameBytes(frame));
 
   log.begin("write", "writing " + job.output);

@@ -51,6 +51,8 @@ Surface readSurface(const SurfaceRequest& request, StageLog& log);
 struct FieldNeeds {
   bool distance = false;  ///< visibility needs it in any case
   VisibilityStorage visibility = VisibilityStorage::none;
+  float opacity = 1;                             ///< of the visibility
+  OctantIntensities intensities = kEvenOctants;  ///< of the combined visibility
   DistanceExtent extent = DistanceExtent::band;  ///< of the distance, if the user does not say
 };
 

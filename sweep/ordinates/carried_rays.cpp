@@ -135,6 +135,10 @@ HWY_INLINE FloatVec decay(FloatVec x) {
   return hn::Mul(sum, scale);
 }
 
+// Below this |N . w| a ray looks along the surface; over so many layers its start is put right.
+inline constexpr float kLeastSlope = 1e-3F;
+inline constexpr int kShareLayers = 4;
+
 // What the points [begin, end) read from the rays of one direction at `layer`.
 template <class Kind>
 void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& direction, const RayStep& step,
@@ -151,6 +155,7 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
     kept[static_cast<std::size_t>(j)] =
         size * static_cast<std::int32_t>(slotOf(layer + towards * j) * rays.layerSize() + rays.placeOf(0));
   const auto stride = hn::Set(d, static_cast<float>(rays.stride()));
+  const float perVoxel = 1 / std::min({lattice.cellBit, lattice.cellRow, lattice.cellLayer});
   const auto add = [&](std::int32_t* to, FloatVec value, float scale) {
     hn::StoreU(hn::Add(hn::LoadU(di, to), hn::NearestInt(hn::Mul(value, hn::Set(d, scale)))), di, to);
   };
@@ -168,11 +173,17 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
     if constexpr (kLength) {
       const auto slope = hn::Abs(cosine);
       auto layers = hn::Mul(hn::ConvertTo(d, state), hn::Set(d, 1.0F / kSolidShare));
-      // From the surface to the nearer edge of the next layer, for those who look inwards.
-      const auto lift = hn::Div(hn::Mul(point.toClear, hn::Set(d, kLift / (kClearance - kLift))),
-                                hn::Mul(hn::Max(slope, hn::Set(d, 1e-3F)), hn::Set(d, direction.risePerCosine)));
-      const auto before = hn::Sub(hn::Sub(hn::Abs(point.ahead), lift), hn::Set(d, 0.5F));
-      layers = hn::Add(layers, hn::IfThenElse(facing, hn::Zero(d), hn::Max(before, hn::Zero(d))));
+      // Those who look inwards: from the surface to the nearer edge of the next layer, and what the shares of the
+      // layers that follow lack, since the surface that cuts them is the one that the ray starts from.
+      const auto perLayer = hn::Mul(hn::Max(slope, hn::Set(d, kLeastSlope)), hn::Set(d, direction.risePerCosine));
+      const auto lift = hn::Div(hn::Mul(point.toClear, hn::Set(d, kLift / (kClearance - kLift))), perLayer);
+      const auto start = hn::Sub(hn::Abs(point.ahead), lift);
+      auto own = hn::Sub(start, hn::Set(d, 0.5F));
+      for (int j = 0; j < kShareLayers; ++j) {
+        const auto depth = hn::Mul(hn::Mul(perLayer, hn::Set(d, perVoxel)), hn::Add(start, hn::Set(d, float(j))));
+        own = hn::Add(own, hn::Max(hn::Sub(hn::Set(d, 0.5F), depth), hn::Zero(d)));
+      }
+      layers = hn::Max(hn::Add(layers, hn::IfThenElse(facing, hn::Zero(d), own)), hn::Zero(d));
       const auto length = hn::Mul(layers, hn::Set(d, direction.risePerCosine));
       const auto light = hn::Mul(hn::Mul(slope, hn::Set(d, direction.value[0])),
                                  decay(hn::Mul(length, hn::Set(d, 1 / tally.meanFreePath))));

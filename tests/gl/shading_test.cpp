@@ -213,10 +213,6 @@ TEST(Shading, OcclusionNeedsOctants) {
   RenderSettings settings = layerSettings();
   settings.shading = Shading::octants;
   EXPECT_THROW(renderer.render(frameScene(scene), settings), GpuError);
-  fields.lights = {};
-  renderer.upload(fields);
-  settings.shading = Shading::lights;
-  EXPECT_THROW(renderer.render(frameScene(scene), settings), GpuError);
 }
 
 }  // namespace

@@ -19,6 +19,12 @@
 namespace isolume::test {
 namespace {
 
+/// With no light but the sun.
+GlScene unlit(GlScene scene) {
+  scene.openness = {};
+  return scene;
+}
+
 RenderSettings shadowSettings(glm::dvec3 towardsLight, int width = 120, int height = 96) {
   RenderSettings settings = layerSettings(width, height);
   settings.shading = Shading::lights;
@@ -90,7 +96,7 @@ void expectAgreement(const Shadows& shadows) {
 TEST(Shadow, ABallHasNoneOfItsOwn) {
   // A convex solid shades nothing but its far side: wherever the light is not grazing, max(N . w, 0) without one dark
   // pixel, from lights all around.
-  const GlScene scene = makeSphere();
+  const GlScene scene = unlit(makeSphere());
   constexpr float kGrazingCosine = 0.1F;  // the facets of the interpolant lean by less
   for (const glm::dvec3 light : {glm::dvec3(0, 0, 1), glm::dvec3(1, 1, 1), glm::dvec3(-0.3, 0.9, -0.2)}) {
     int lit = 0;
@@ -112,7 +118,8 @@ TEST(Shadow, ABallHasNoneOfItsOwn) {
 TEST(Shadow, ABlockIsLitUpToItsEdges) {
   // Half of the grid is solid: its caps and its surface are planes of a convex block, lit by N . w up to the last
   // pixel.
-  const GlScene scene = makeScene(glm::ivec3(40), glm::dvec3(1, 0.7, 1.3), [](glm::dvec3 p) { return p.z - 20.3; });
+  const GlScene scene =
+      unlit(makeScene(glm::ivec3(40), glm::dvec3(1, 0.7, 1.3), [](glm::dvec3 p) { return p.z - 20.3; }));
   for (const glm::dvec3 light : {glm::dvec3(1, -0.4, 0.2), glm::dvec3(0.1, -1, 3)}) {
     const Frame frame = renderOnce(scene, frameScene(scene, {.azimuthDegrees = 30, .elevationDegrees = 25}),
                                    shadowSettings(light, 160, 160));
@@ -132,9 +139,9 @@ TEST(Shadow, EndsWhereTheEdgeSaysIt) {
   // A plate above a floor: under a light along (1, 0, 2) the floor is dark up to where the ray past the plate's lower
   // edge meets it, to a hundredth of a voxel.
   constexpr double kFloor = 5, kEdge = 30, kUnderside = 25;
-  const GlScene scene = makeScene(glm::ivec3(60, 40, 32), glm::dvec3(1), [](glm::dvec3 p) {
+  const GlScene scene = unlit(makeScene(glm::ivec3(60, 40, 32), glm::dvec3(1), [](glm::dvec3 p) {
     return std::min(p.z - kFloor, std::max(p.x - kEdge, kUnderside - p.z));
-  });
+  }));
   const double rim = kEdge - (kUnderside - kFloor) / 2;
   const Camera camera = frameScene(scene, {.azimuthDegrees = 90, .elevationDegrees = 20});
   const Frame frame = renderOnce(scene, camera, shadowSettings({1, 0, 2}, 400, 300));

@@ -56,12 +56,12 @@ TEST(GeometryTerms, EqualTheirIntegral) {
 }
 
 TEST(GeometryTerms, SumToPi) {
-  // The clamped cosine integrates to pi over the sphere, whatever the normal, and so does half of its magnitude.
+  // The clamped cosine integrates to pi over the sphere, whatever the normal, and its magnitude to twice that.
   for (const glm::dvec3& normal : testNormals())
     for (const GeometryTerm term : {GeometryTerm::front, GeometryTerm::bothSides}) {
       double sum = 0;
       for (int s = 0; s < kOctantCount; ++s) sum += octantGeometryTerm(s, normal, term);
-      EXPECT_NEAR(sum, std::numbers::pi, 1e-12);
+      EXPECT_NEAR(sum, (term == GeometryTerm::front ? 1 : 2) * std::numbers::pi, 1e-12);
     }
 }
 
