@@ -8,7 +8,7 @@ namespace isolume::shader {
 using glm::vec4;
 #include "shaders/shared/light_uniforms.h"
 
-// std140: two arrays of vec4.
-static_assert(sizeof(LightUniforms) == 2 * kMostLightFields * 16);
+// std140: vec4 and arrays of it.
+static_assert(sizeof(LightUniforms) == (2 * kMostLightFields + 1) * 16);
 
 }  // namespace isolume::shader

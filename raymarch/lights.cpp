@@ -13,9 +13,11 @@
 
 namespace isolume {
 
-shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, const std::vector<glm::vec3>& colors,
+shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, const RenderSettings& settings,
                                         const GridFrame& grid) {
+  const std::vector<glm::vec3>& colors = settings.lightColors;
   shader::LightUniforms uniforms{};
+  uniforms.head = glm::vec4(settings.headLight, 0);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const LightField& field = fields[i];
     uniforms.color[i] = glm::vec4(field.full * (colors.empty() ? glm::vec3(1) : colors[i]), 0);
@@ -27,7 +29,7 @@ shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, c
 }
 
 GlProgram buildLightProgram(std::size_t fields) {
-  assert(fields >= 1 && fields <= shader::kMostLightFields);
+  assert(fields <= shader::kMostLightFields);
   const std::string counts = fmt::format("const int kLightFields = {};\n", fields);
   const ProgramVariant& variant = programVariant("march_lights");
   return buildProgram(variant.vertex, variant.fragment, [&counts](std::string_view name) {

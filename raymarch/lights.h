@@ -1,21 +1,20 @@
 // The uniforms and the program of light fields.
 #pragma once
 
-#include <glm/vec3.hpp>
 #include <vector>
 
 #include "gl_objects.h"
 #include "light_field.h"
 #include "light_uniforms.h"
+#include "renderer.h"
 #include "view.h"
 
 namespace isolume {
 
-/// `colors` empty: white.
-shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, const std::vector<glm::vec3>& colors,
+shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, const RenderSettings& settings,
                                         const GridFrame& grid);
 
-/// march_lights for that many fields, 1 to kMostLightFields: a loop of known length.
+/// march_lights for that many fields, up to kMostLightFields: a loop of known length.
 GlProgram buildLightProgram(std::size_t fields);
 
 }  // namespace isolume

@@ -58,7 +58,6 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.shading == Shading::shadow && !(glm::length(settings.towardsLight) > 0))
     throw GpuError("render: expected a direction towards the light, found 0,0,0");
   if (settings.shading == Shading::lights) {
-    if (scene.lights.empty()) throw GpuError("render: expected light fields for shading by them, found none");
     if (!settings.lightColors.empty() && settings.lightColors.size() != scene.lights.size())
       throw GpuError(fmt::format("render: expected a colour for each of {} light fields, found {}", scene.lights.size(),
                                  settings.lightColors.size()));
@@ -84,12 +83,14 @@ void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::
   frame.light.resize(count);
   frame.normal.resize(count);
   frame.position.resize(count);
+  frame.index.resize(count);
   frame.depth.resize(count);
   const auto width = static_cast<std::size_t>(frame.size.x);
   parallelFor(static_cast<std::size_t>(frame.size.y), [&](std::size_t row) {
     for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
       const bool hit = positions[i].w > 0;
       frame.light[i] = glm::vec3(lights[i]);
+      frame.index[i] = glm::vec3(positions[i]);
       if (!hit) {
         frame.normal[i] = glm::vec3(0);
         frame.position[i] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
@@ -175,8 +176,8 @@ struct Renderer::Impl {
     glProgramUniform3f(program(Shading::shadow).name(), kTowardsLight, along.x, along.y, along.z);
   }
 
-  void bindLights(const std::vector<glm::vec3>& colors) const {
-    const shader::LightUniforms uniforms = makeLightUniforms(scene.lightFields, colors, scene.frame);
+  void bindLights(const RenderSettings& settings) const {
+    const shader::LightUniforms uniforms = makeLightUniforms(scene.lightFields, settings, scene.frame);
     glNamedBufferSubData(lightBuffer.name(), 0, sizeof(uniforms), &uniforms);
     glBindBufferBase(GL_UNIFORM_BUFFER, 1, lightBuffer.name());
     for (std::size_t i = 0; i < scene.lights.size(); ++i)
@@ -192,7 +193,7 @@ struct Renderer::Impl {
     for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
     if (shading == Shading::octants) bindOctants(settings);
     if (shading == Shading::shadow) setShadow(settings.towardsLight);
-    if (shading == Shading::lights) bindLights(settings.lightColors);
+    if (shading == Shading::lights) bindLights(settings);
     for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE);

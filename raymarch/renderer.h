@@ -31,7 +31,7 @@ struct SceneFields {
 enum class NormalSource { data, distance };
 enum class Shading {
   octants,  ///< sum I_s V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point under I = 1 gives 1
-  lights,   ///< the sum of the light fields, interpolated at the hit, times their colours
+  lights,   ///< the sum of the light fields, interpolated at the hit, times their colours, and a head light
   local,    ///< head light, N . V: nothing swept needed
   shadow,   ///< a light infinitely far away, max(N . w, 0) where a ray towards it meets nothing: nothing swept needed
 };
@@ -53,10 +53,11 @@ struct RenderSettings {
   GeometryTerm geometryTerm = GeometryTerm::front;  ///< octants: bothSides for a translucent solid
   glm::dvec3 towardsLight{0, 0, 1};                 ///< shadow: world, any length but 0
   std::vector<glm::vec3> lightColors = {};          ///< of each light field, linear, >= 0; empty: white
-  float gamma = 1;                                  ///< colour = albedo * light^(1 / gamma) ([Singh10] Sec. 2 uses 2)
-  glm::vec3 albedo{1};                              ///< linear
-  glm::vec4 background{1, 1, 1, 1};                 ///< linear, not premultiplied; alpha 0 = transparent
-  bool layers = false;                              ///< also fill light, normal, position, depth
+  glm::vec3 headLight{0};            ///< Shading::lights: of a light from the eye without shadows, linear
+  float gamma = 1;                   ///< colour = albedo * light^(1 / gamma) ([Singh10] Sec. 2 uses 2)
+  glm::vec3 albedo{1};               ///< linear
+  glm::vec4 background{1, 1, 1, 1};  ///< linear, not premultiplied; alpha 0 = transparent
+  bool layers = false;               ///< also fill light, normal, position, depth
 };
 
 /// Row-major, top row first. Colour is linear and premultiplied. Layers are taken at the centre of the pixel, never
@@ -70,6 +71,7 @@ struct Frame {
                                     ///< unless asked for, as the following
   std::vector<glm::vec3> normal;    ///< world, unit, out of the solid
   std::vector<glm::vec3> position;  ///< world
+  std::vector<glm::vec3> index;     ///< the same in index space; 0 where nothing is hit
   std::vector<float> depth;         ///< along the view axis, world units
 };
 

@@ -6,7 +6,7 @@
 #include "shared/light_uniforms.h"
 
 layout(std140, binding = 1) uniform LightBlock { LightUniforms lights; };
-layout(binding = 8) uniform sampler2DArray lightTextures[kLightFields];
+layout(binding = 8) uniform sampler2DArray lightTextures[max(kLightFields, 1)];
 
 // Trilinear, weighed by hand: filters round their weights to 8 bits. All corners of a cell that the surface crosses hold
 // a value, and so do all solid samples on the border, where caps are hit.
@@ -21,7 +21,7 @@ float lightAt(sampler2DArray field, vec2 centre, float layer, vec3 weight) {
 vec3 hitLight(vec3 hit, vec3 normal, vec3 viewer) {
   vec3 low = min(floor(hit), vec3(frame.gridSize.xyz - 2));
   vec2 centre = (low.xy + 1.0f) / vec2(frame.gridSize.xy);
-  vec3 sum = vec3(0.0f);
+  vec3 sum = lights.head.rgb * abs(dot(normal, viewer));
   for (int i = 0; i < kLightFields; ++i) {
     float light = lightAt(lightTextures[i], centre, low.z, hit - low);
     vec4 disc = lights.disc[i];

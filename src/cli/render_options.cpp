@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "raymarch/context.h"
+#include "src/cli/light_options.h"
 #include "src/cli/option_builder.h"
 #include "src/cli/parse_value.h"
 #include "src/cli/picture_options.h"
@@ -78,11 +79,10 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
 
 Layers parseLayers(const std::string& option, const std::string& text) {
   Layers layers;
-  const Choices<bool Layers::*> choices{{"ambient", &Layers::ambient},
-                                        {"normal", &Layers::normal},
-                                        {"position", &Layers::position},
-                                        {"depth", &Layers::depth},
-                                        {"all", &Layers::all}};
+  const Choices<bool Layers::*> choices{{"ambient", &Layers::ambient},     {"irradiance", &Layers::irradiance},
+                                        {"normal", &Layers::normal},       {"position", &Layers::position},
+                                        {"depth", &Layers::depth},         {"bent", &Layers::bent},
+                                        {"thickness", &Layers::thickness}, {"all", &Layers::all}};
   for (const std::string& name : splitList(text)) layers.*parseChoice(option, name, choices) = true;
   return layers;
 }
@@ -106,7 +106,8 @@ void addPictureOptions(CLI::App& app, RenderJob& job) {
   group.value(
       "--layers", "LIST",
       [&job](const std::string& option, const std::string& text) { job.layers = parseLayers(option, text); },
-      "EXR: ambient,normal,position,depth or all (default: none)");
+      "EXR: ambient, irradiance, normal, position, depth, bent,\nthickness or all; all adds bent and thickness only "
+      "if\nthey are named too (default: none)");
 }
 
 }  // namespace
@@ -115,6 +116,7 @@ void addRenderOptions(CLI::App& app, RenderJob& job) {
   addPictureOptions(app, job);
   addCameraOptions(app, job.camera);
   addShadingOptions(app, job);
+  addLightOptions(app, job.light);
   Choices<std::string> backends{{"auto", "auto"}};
   std::string list = "auto";
   for (const std::string_view name : backendNames()) {
@@ -139,7 +141,16 @@ void checkRenderOptions(const RenderJob& job) {
     throw UsageError(fmt::format("--layers: expected an .exr to hold them, found '{}'", job.output));
   if (ending == ".exr" && job.bitDepth)
     throw UsageError(fmt::format("--bit-depth: expected a .png (an .exr holds 32-bit floats), found '{}'", job.output));
-  chooseOcclusion(job.occlusion);
+  const OcclusionMethod method = chooseOcclusion(job.occlusion).method;
+  checkLighting(job.light, method);
+  if ((job.layers.bent || job.layers.thickness) && method != OcclusionMethod::ordinates)
+    throw UsageError(fmt::format("--layers: expected --occlusion ordinates beside '{}', found {}",
+                                 job.layers.bent ? "bent" : "thickness", occlusionName(method)));
+  if (job.layers.ambient && !isPlain(job.light))
+    throw UsageError(
+        fmt::format("--layers: expected 'irradiance' in place of 'ambient' beside {}: light is more than "
+                    "openness",
+                    givenOption(job.light)));
   if (job.occlusion.method == OcclusionMethod::none && job.layers.ambient)
     throw UsageError("--layers: expected no 'ambient' with --occlusion none, which computes no openness");
 }

@@ -21,8 +21,8 @@ void runFieldsJob(const FieldsJob& job) {
   if (isFieldsFile(job.surface.input))
     throw UsageError(fmt::format("fields: expected a volume, found a file of fields: {}", job.surface.input));
 
-  SweptScene scene = loadScene(job.surface, 
-                               {.distance = true, .visibility = VisibilityStorage::float32, .extent = DistanceExtent::full}, log);
+  SweptScene scene = loadScene(
+      job.surface, {.distance = true, .visibility = VisibilityStorage::float32, .extent = DistanceExtent::full}, log);
   Surface& surface = scene.surface;
 
   log.begin("write", "writing " + job.output);

@@ -1,5 +1,7 @@
 #include "src/jobs/render_job.h"
 
+#include <fmt/core.h>
+
 #include <future>
 
 #include "raymarch/context.h"
@@ -7,7 +9,9 @@
 #include "src/io/image_codec.h"
 #include "src/io/output_file.h"
 #include "src/io/vdb.h"
+#include "src/jobs/environment_map.h"
 #include "src/jobs/frame_image.h"
+#include "src/jobs/lighting.h"
 #include "src/jobs/provenance.h"
 #include "src/jobs/report.h"
 
@@ -36,13 +40,15 @@ OcclusionSetting occlusionOf(const RenderJob& job) {
   return chooseOcclusion(request);
 }
 
-RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occlusion) {
+RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occlusion, const SweptLighting& lighting) {
   RenderSettings settings;
   settings.size = job.size;
   settings.samples = job.samples;
   settings.shading = shadingOf(occlusion.method);
   settings.normals = job.normals;
   settings.occlusionOffsetVoxels = static_cast<float>(occlusion.offset);
+  settings.lightColors = lighting.colors;
+  settings.headLight = lighting.head;
   settings.gamma = static_cast<float>(job.gamma);
   settings.albedo = job.albedo.linear;
   settings.background = glm::vec4(job.background.linear, job.transparent ? 0.0f : 1.0f);
@@ -50,14 +56,17 @@ RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occl
   return settings;
 }
 
-SceneFields sceneFields(const SweptScene& scene, NormalSource normals) {
+SceneFields sceneFields(const SweptScene& scene, const SweptLighting& lighting, NormalSource normals) {
   SceneFields fields;
   fields.worldFromGrid = scene.surface.worldFromGrid;
   fields.level = scene.surface.level.view();
   if (normals == NormalSource::distance) fields.distance = scene.swept.distance.view();
   for (std::size_t i = 0; i < fields.octants.size(); ++i)
     if (!scene.swept.visibility.packed[i].empty()) fields.octants[i] = scene.swept.visibility.packed[i].view();
-  if (!scene.openness.empty()) fields.lights = {{scene.openness.view()}};
+  for (std::size_t i = 0; i < lighting.fields.size(); ++i) {
+    fields.lights.push_back(lighting.uses[i]);
+    fields.lights.back().values = lighting.fields[i].values.view();
+  }
   return fields;
 }
 
@@ -66,6 +75,26 @@ std::size_t textureBytes(const SceneFields& fields) {
   constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8, kLightBytes = 2;
   return fields.level.count() * (kLevelBytes + kClearanceBytes + (fields.distance.data ? kDistanceBytes : 0) +
                                  (fields.octants[0].data ? kOctantsBytes : 0) + fields.lights.size() * kLightBytes);
+}
+
+/// Stages `environment`, if there is a map, and `visibility`.
+SweptLighting lightScene(const RenderJob& job, const OcclusionSetting& occlusion, const SweptScene& scene,
+                         const Camera& camera, StageLog& log) {
+  if (shadingOf(occlusion.method) != Shading::lights) return {};
+  std::optional<EnvironmentMap> map;
+  if (!job.light.environment.empty()) {
+    log.begin("environment", "reading " + job.light.environment);
+    map = readEnvironmentMap(job.light.environment);
+    log.end(map->radiance.size() * sizeof(glm::vec3));
+  }
+  LightingRequest request = job.light;
+  request.bent = job.layers.bent;
+  request.thickness = job.layers.thickness;
+  log.begin("visibility", fmt::format("sweeping {} ordinates over {}", occlusion.ordinates.ordinates, gridText(scene)));
+  SweptLighting lighting =
+      sweepLighting(request, occlusion.ordinates, map ? &*map : nullptr, scene, camera, job.albedo.linear);
+  log.end(lighting.bytes());
+  return lighting;
 }
 
 }  // namespace
@@ -77,31 +106,34 @@ void runRenderJob(const RenderJob& job) {
   preloadImageCodec();
   StageLog log(job.run);
 
-  FieldNeeds needs{.distance = job.normals == NormalSource::distance};
   const OcclusionSetting occlusion = occlusionOf(job);
+  checkLighting(job.light, occlusion.method);
   const Shading shading = shadingOf(occlusion.method);
+  FieldNeeds needs{.distance = job.normals == NormalSource::distance || shading == Shading::lights};
   if (shading == Shading::octants) needs.visibility = VisibilityStorage::rgba8;
-  if (shading == Shading::lights) needs.openness = occlusion.ordinates;
   const SweptScene scene = loadScene(job.surface, needs, log);
+  const double aspect = static_cast<double>(job.size.x) / job.size.y;
+  const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
+  const SweptLighting lighting = lightScene(job, occlusion, scene, camera, log);
   // Beside drawing: it reads the files once more and uses one core.
-  std::future<std::string> checksums = std::async(std::launch::async, checksumText, scene.surface.files);
+  std::vector<std::string> files = scene.surface.files;
+  if (!job.light.environment.empty()) files.push_back(job.light.environment);
+  std::future<std::string> checksums = std::async(std::launch::async, checksumText, files);
 
   log.begin("upload", "preparing OpenGL");
   const std::unique_ptr<Context> context = makeContext(job.backend);
   Renderer renderer(*context);
-  const SceneFields fields = sceneFields(scene, job.normals);
+  const SceneFields fields = sceneFields(scene, lighting, job.normals);
   renderer.upload(fields);
   log.end(textureBytes(fields));
 
   log.begin("frame", "drawing");
-  const double aspect = static_cast<double>(job.size.x) / job.size.y;
-  const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
-  const Frame frame = renderer.render(camera, renderSettings(job, occlusion));
+  const Frame frame = renderer.render(camera, renderSettings(job, occlusion, lighting));
   log.end(frameBytes(frame));
 
   log.begin("write", "writing " + job.output);
   const Provenance provenance = renderProvenance(job, occlusion, scene.surface, camera, *context, checksums.get());
-  Image image = imageOf(frame, job);
+  Image image = imageOf(frame, job, lighting);
   image.metadata = provenance.metadata;
   writeImage(job.output, image, {.bitDepth = job.bitDepth.value_or(kDefaultBitDepth)});
   log.end(fileBytes(job.output));

@@ -9,6 +9,7 @@
 #include "src/io/srgb.h"
 #include "src/jobs/camera_choice.h"
 #include "src/jobs/color.h"
+#include "src/jobs/light_request.h"
 #include "src/jobs/occlusion_method.h"
 #include "src/jobs/run_options.h"
 #include "src/jobs/surface.h"
@@ -17,8 +18,9 @@ namespace isolume {
 
 /// Layers of an EXR beside its colour. `all`: every layer that the shading has.
 struct Layers {
-  bool ambient = false, normal = false, position = false, depth = false, all = false;
-  bool any() const { return ambient || normal || position || depth || all; }
+  bool ambient = false, irradiance = false, normal = false, position = false, depth = false, bent = false,
+       thickness = false, all = false;
+  bool any() const { return ambient || irradiance || normal || position || depth || bent || thickness || all; }
 };
 
 struct RenderJob {
@@ -30,6 +32,7 @@ struct RenderJob {
   /// seconds that a whole job may take on two cores.
   int samples = 1;
   OcclusionRequest occlusion;
+  LightingRequest light;
   NormalSource normals = NormalSource::data;
   double gamma = 1;
   /// Light grey, so that an open surface stands out from the white page of a figure.

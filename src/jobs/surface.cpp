@@ -74,11 +74,6 @@ SweptScene readScene(const SurfaceRequest& request, VisibilityStorage storage, S
   return scene;
 }
 
-std::string gridText(const SweptScene& scene) {
-  const glm::ivec3 size = scene.surface.level.size();
-  return fmt::format("{}x{}x{} voxels", size.x, size.y, size.z);
-}
-
 /// Stages `distance` and, if the method has it, `visibility`.
 void sweepFields(SweptScene& scene, const SweepOptions& method, StageLog& log) {
   const bool withVisibility = method.visibility != VisibilityStorage::none;
@@ -143,15 +138,14 @@ SweptScene loadScene(const SurfaceRequest& request, const FieldNeeds& needs, Sta
   } else {
     scene.surface = readSurface(request, log);
     const bool withVisibility = needs.visibility != VisibilityStorage::none;
-    if (needs.distance || withVisibility || needs.openness) sweepFields(scene, method, log);
-  }
-  if (needs.openness) {
-    log.begin("visibility", fmt::format("sweeping {} ordinates over {}", needs.openness->ordinates, gridText(scene)));
-    scene.openness = sweepOpenness(std::as_const(scene.surface.level).view(),
-                                   std::as_const(scene.swept.distance).view(), *needs.openness);
-    log.end(scene.openness.count() * sizeof(std::uint16_t));
+    if (needs.distance || withVisibility) sweepFields(scene, method, log);
   }
   return scene;
+}
+
+std::string gridText(const SweptScene& scene) {
+  const glm::ivec3 size = scene.surface.level.size();
+  return fmt::format("{}x{}x{} voxels", size.x, size.y, size.z);
 }
 
 std::array<glm::dvec3, 8> solidCorners(const Surface& surface) {

@@ -3,33 +3,32 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <vector>
 
 #include "foot_sums.h"
-#include "ordinate_set.h"
+#include "sky_ordinates.h"
 
 namespace isolume {
 
-Grid<std::uint16_t> sweepOpenness(const SurfaceRays& rays, int ordinates) {
+std::vector<float> blockedShares(const SurfaceRays& rays, int ordinates) {
   assert(ordinates >= kLeastOrdinates && ordinates <= kMostOrdinates);
-  constexpr double kLargestOpenness = 65535;
-  std::vector<Ordinate> sky;
-  for (const glm::dvec3& direction : ordinateDirections(ordinates)) sky.push_back({direction});
-  const std::vector<float> blocked = rays.sum(sky, 1, SurfaceRays::Count::blocked);
-  // The sum of clamped cosines over all directions is K / 4 for any normal, to a fraction of one direction.
-  const double open = ordinates / 4.0;
-  std::vector<std::uint16_t> openness(rays.count());
-  forEachFoot(rays.count(), [&](std::size_t i) {
+  return rays.sum(uniformSky(ordinates), 1, SurfaceRays::Count::blocked);
+}
+
+std::vector<std::uint16_t> opennessOf(const std::vector<float>& blockedShares) {
+  constexpr float kLargestOpenness = 65535;
+  std::vector<std::uint16_t> openness(blockedShares.size());
+  forEachFoot(openness.size(), [&](std::size_t i) {
     openness[i] =
-        static_cast<std::uint16_t>(std::lround(std::clamp(1 - blocked[i] / open, 0.0, 1.0) * kLargestOpenness));
+        static_cast<std::uint16_t>(std::lround(std::clamp(1 - blockedShares[i], 0.0F, 1.0F) * kLargestOpenness));
   });
-  return rays.surface().spread(openness);
+  return openness;
 }
 
 Grid<std::uint16_t> sweepOpenness(GridView<const float> level, GridView<const float> distance,
                                   const OrdinateOptions& options) {
   assert(options.refinement >= 1 && options.refinement <= kMostRefinement);
-  return sweepOpenness(SurfaceRays(level, distance, options.refinement), options.ordinates);
+  const SurfaceRays rays(level, distance, options.refinement);
+  return rays.surface().spread(opennessOf(blockedShares(rays, options.ordinates)));
 }
 
 }  // namespace isolume

@@ -24,8 +24,11 @@ struct OrdinateOptions {
   int refinement = 1;   ///< lattice points per voxel along each axis, 1 or 2
 };
 
-/// Openness in units of 1 / 65535. Memory: 2 B per voxel.
-Grid<std::uint16_t> sweepOpenness(const SurfaceRays& rays, int ordinates);
+/// By foot, the share of the hemisphere about N that is blocked, weighed by the cosine: 1 - A, to a rounding.
+std::vector<float> blockedShares(const SurfaceRays& rays, int ordinates);
+
+/// In units of 1 / 65535.
+std::vector<std::uint16_t> opennessOf(const std::vector<float>& blockedShares);
 
 /// The same from the fields. `level` as of makeLevel(), `distance` exact next to its surface.
 /// Memory: result 2 B per voxel. While it runs: refinement^3 / 4 B per voxel for the lattice (rows rounded up to

@@ -68,18 +68,19 @@ struct RayPlace {
   hn::Mask<IntTag> skips[kMostSkipped];
 };
 
+// `rises`: those that face the light. The others look into the solid, and take the next layer.
 HWY_INLINE RayPlace placeOnRay(const LatticeLayers& lattice, const PointVector& point, const RayDirection& to,
-                               const RayStep& step, FloatVec cosine) {
+                               const RayStep& step, FloatVec cosine, FloatMask rises) {
   const FloatTag d;
   const auto rise = hn::Mul(cosine, hn::Set(d, to.risePerCosine));
   FloatMask skips[kMostSkipped];
   auto height = hn::Mul(rise, hn::Abs(point.ahead));
   for (FloatMask& skip : skips) {
-    skip = hn::Lt(height, point.toClear);
+    skip = hn::And(hn::Lt(height, point.toClear), rises);
     height = hn::Add(height, rise);
   }
   // What is still missing after these layers, the ray is lifted by along the normal.
-  const auto missing = hn::Max(hn::Sub(point.toClear, height), hn::Zero(d));
+  const auto missing = hn::IfThenElseZero(rises, hn::Max(hn::Sub(point.toClear, height), hn::Zero(d)));
   const auto layersUp = hn::Mul(hn::Mul(missing, point.normalLayer), hn::Set(d, 1 / lattice.cellLayer));
   const auto placeOf = [&](FloatVec at, float lag, double slope, const auto& on, FloatVec normal, float cell) {
     const auto along = hn::Mul(hn::Sub(point.ahead, layersUp), hn::Set(d, static_cast<float>(slope)));

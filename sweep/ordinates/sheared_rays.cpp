@@ -99,7 +99,7 @@ void readLayer(const LatticeLayers& lattice, int towards, const std::vector<RayD
       const auto facing = hn::And(hn::Gt(cosine, hn::Zero(d)), point.inRange);
       if (hn::AllFalse(d, facing)) continue;
       // Beyond either end of a row there is a bit that is 0, and beyond the first and last row one of zeros.
-      const RayPlace at = placeOnRay(lattice, point, directions[k], steps[k], cosine);
+      const RayPlace at = placeOnRay(lattice, point, directions[k], steps[k], cosine, facing);
       const auto place = hn::ConvertTo(di, hn::Add(hn::Mul(at.row, rowBits), at.column));
       const auto word = hn::Add(hn::ShiftRight<5>(place), skipped(di, kept, at.skips));
       const auto bits = hn::GatherIndex(di, rays[k].words32() + guard, word);

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <iostream>
+#include <utility>
 
 #include "gl/gl_scene.h"
 #include "raymarch/gpu_error.h"
