@@ -33,7 +33,7 @@ enum class Shading {
   octants,  ///< sum I_s V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point under I = 1 gives 1
   lights,   ///< the sum of the light fields, interpolated at the hit, times their colours, and a head light
   local,    ///< head light, N . V: nothing swept needed
-  shadow,   ///< a light infinitely far away, max(N . w, 0) where a ray towards it meets nothing: nothing swept needed
+  shadow,   ///< a light infinitely far away, N . w where it is above 0 and a ray meets nothing: nothing swept needed
 };
 
 /// The uniform white sky.

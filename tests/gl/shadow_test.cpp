@@ -129,6 +129,26 @@ TEST(Shadow, ABlockIsLitUpToItsEdges) {
   }
 }
 
+TEST(Shadow, AFloorNextToItsSamplesIsLit) {
+  // A floor a millionth of a voxel above samples: hits that are rounded into the cells of the solid below it have light
+  // as all others.
+  for (const double above : {0.0, 1e-7, 1e-6, 3e-6, 1e-5}) {
+    const GlScene scene =
+        makeScene(glm::ivec3(40), glm::dvec3(1), [above](glm::dvec3 p) { return p.z - (20 + above); });
+    const Frame frame =
+        renderOnce(scene, frameScene(scene, {.elevationDegrees = 50}), shadowSettings({1, 0.3, 0.2}, 160, 160));
+    int hits = 0;
+    for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+      if (!(frame.normal[i].z > 0.5F)) continue;
+      ASSERT_NEAR(frame.light[i].x, glm::dot(glm::dvec3(frame.normal[i]), glm::normalize(glm::dvec3(1, 0.3, 0.2))),
+                  1e-5)
+          << above << " " << frame.position[i].z - 20;
+      ++hits;
+    }
+    EXPECT_GT(hits, 5000);
+  }
+}
+
 TEST(Shadow, EndsWhereTheEdgeSaysIt) {
   // A plate above a floor: under a light along (1, 0, 2) the floor is dark up to where the ray past the plate's lower
   // edge meets it, to a hundredth of a voxel.
