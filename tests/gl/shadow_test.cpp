@@ -130,8 +130,8 @@ TEST(Shadow, ABlockIsLitUpToItsEdges) {
 }
 
 TEST(Shadow, AFloorNextToItsSamplesIsLit) {
-  // A floor a millionth of a voxel above samples: hits that are rounded into the cells of the solid below it have light
-  // as all others.
+  // A floor on a plane of samples, or a millionth of a voxel above it: hits that float puts a little below or above the
+  // samples have light alike.
   for (const double above : {0.0, 1e-7, 1e-6, 3e-6, 1e-5}) {
     const GlScene scene =
         makeScene(glm::ivec3(40), glm::dvec3(1), [above](glm::dvec3 p) { return p.z - (20 + above); });
