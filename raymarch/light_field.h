@@ -19,4 +19,11 @@ struct LightField {
                              ///< cosine at the hit's normal. 0: no disc
 };
 
+/// A point of light infinitely far away whose shadows the shader finds along a ray of its own: hard and exact, nothing
+/// is swept.
+struct HardSun {
+  glm::dvec3 direction{0, 0, 1};  ///< world, towards it, any length but 0
+  glm::vec3 color{1};             ///< linear
+};
+
 }  // namespace isolume

@@ -9,6 +9,6 @@ using glm::vec4;
 #include "shaders/shared/light_uniforms.h"
 
 // std140: vec4 and arrays of it.
-static_assert(sizeof(LightUniforms) == (2 * kMostLightFields + 1) * 16);
+static_assert(sizeof(LightUniforms) == (2 * kMostLightFields + 2 * kMostSuns + 1) * 16);
 
 }  // namespace isolume::shader

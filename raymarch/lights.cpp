@@ -25,12 +25,17 @@ shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, c
       uniforms.disc[i] = glm::dvec4(glm::transpose(grid.worldFromAxes) * glm::normalize(field.direction),
                                     glm::radians(field.radiusDegrees));
   }
+  for (std::size_t i = 0; i < settings.suns.size(); ++i) {
+    const HardSun& sun = settings.suns[i];
+    uniforms.sunColor[i] = glm::vec4(sun.color, 0);
+    uniforms.sun[i] = glm::dvec4(glm::transpose(grid.worldFromAxes) * glm::normalize(sun.direction), 0);
+  }
   return uniforms;
 }
 
-GlProgram buildLightProgram(std::size_t fields) {
-  assert(fields <= shader::kMostLightFields);
-  const std::string counts = fmt::format("const int kLightFields = {};\n", fields);
+GlProgram buildLightProgram(std::size_t fields, std::size_t suns) {
+  assert(fields <= shader::kMostLightFields && suns <= shader::kMostSuns);
+  const std::string counts = fmt::format("const int kLightFields = {};\nconst int kSuns = {};\n", fields, suns);
   const ProgramVariant& variant = programVariant("march_lights");
   return buildProgram(variant.vertex, variant.fragment, [&counts](std::string_view name) {
     return name == "shaders/march/light_counts.glsl" ? std::string_view(counts) : embeddedShader(name);

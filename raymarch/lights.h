@@ -14,7 +14,7 @@ namespace isolume {
 shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, const RenderSettings& settings,
                                         const GridFrame& grid);
 
-/// march_lights for that many fields, up to kMostLightFields: a loop of known length.
-GlProgram buildLightProgram(std::size_t fields);
+/// march_lights for that many fields, up to kMostLightFields, and suns, up to kMostSuns: loops of known length.
+GlProgram buildLightProgram(std::size_t fields, std::size_t suns);
 
 }  // namespace isolume

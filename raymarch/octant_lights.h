@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "sweep/geometry_terms.h"
 #include "sweep/octants.h"
 
 namespace isolume {
@@ -17,11 +18,11 @@ using glm::vec4;
 // std140: arrays of vec4.
 static_assert(sizeof(OctantLights) == 7 * 16);
 static_assert(offsetof(OctantLights, high) == 3 * 16);
-static_assert(offsetof(OctantLights, brightest) == 6 * 16);
+static_assert(offsetof(OctantLights, most) == 6 * 16);
 
 }  // namespace shader
 
-/// `light`: of each octant of kOctants, linear.
-shader::OctantLights makeOctantLights(const std::array<glm::vec3, kOctantCount>& light);
+/// `light`: of each octant of kOctants, linear. `term` as of the tables.
+shader::OctantLights makeOctantLights(const std::array<glm::vec3, kOctantCount>& light, GeometryTerm term);
 
 }  // namespace isolume

@@ -11,7 +11,6 @@ const std::vector<ProgramVariant>& programVariants() {
       {"march_lights", "shaders/fullscreen.vert", "shaders/march_lights.frag"},
       {"march_local", "shaders/fullscreen.vert", "shaders/march_local.frag"},
       {"march_octants", "shaders/fullscreen.vert", "shaders/march_octants.frag"},
-      {"march_shadow", "shaders/fullscreen.vert", "shaders/march_shadow.frag"},
   };
   return variants;
 }

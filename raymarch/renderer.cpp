@@ -7,7 +7,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -55,9 +54,12 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
         throw GpuError(
             fmt::format("octant {}: expected a finite light of at least 0, found {}", kOctants[s].name, light));
     }
-  if (settings.shading == Shading::shadow && !(glm::length(settings.towardsLight) > 0))
-    throw GpuError("render: expected a direction towards the light, found 0,0,0");
   if (settings.shading == Shading::lights) {
+    if (settings.suns.size() > shader::kMostSuns)
+      throw GpuError(fmt::format("render: expected at most {} suns, found {}", shader::kMostSuns, settings.suns.size()));
+    for (const HardSun& sun : settings.suns)
+      if (!(glm::length(sun.direction) > 0))
+        throw GpuError("render: expected a direction towards each sun, found 0,0,0");
     if (!settings.lightColors.empty() && settings.lightColors.size() != scene.lights.size())
       throw GpuError(fmt::format("render: expected a colour for each of {} light fields, found {}", scene.lights.size(),
                                  settings.lightColors.size()));
@@ -119,19 +121,18 @@ const char* variantName(Shading shading) {
       return "march_lights";
     case Shading::local:
       return "march_local";
-    case Shading::shadow:
-      return "march_shadow";
   }
   return nullptr;
 }
 
 struct Renderer::Impl {
-  std::array<GlProgram, 4> programs;  // by shading, each built when it is first needed
+  std::array<GlProgram, 3> programs;  // by shading, each built when it is first needed
   GlBuffer uniformBuffer = GlBuffer::create();
   GlBuffer lightBuffer = GlBuffer::create();
   GlBuffer octantBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
   std::array<std::array<GlTexture, 2>, 2> geometryTerms;  // by term, each made when it is first needed
+  std::size_t builtSuns = 0;  // that the program of light fields knows
   SceneTextures scene;
   Framebuffer framebuffer;
   BeamPass beams;
@@ -143,11 +144,14 @@ struct Renderer::Impl {
     checkGl("renderer");
   }
 
-  const GlProgram& program(Shading shading) {
+  // `suns`: of Shading::lights.
+  const GlProgram& program(Shading shading, std::size_t suns = 0) {
     GlProgram& built = programs[static_cast<std::size_t>(shading)];
+    if (shading == Shading::lights && builtSuns != suns) built = {};
+    builtSuns = shading == Shading::lights ? suns : builtSuns;
     if (built.name() == 0) {
       const ProgramVariant& variant = programVariant(variantName(shading));
-      built = shading == Shading::lights ? buildLightProgram(scene.lights.size())
+      built = shading == Shading::lights ? buildLightProgram(scene.lights.size(), suns)
                                          : buildProgram(variant.vertex, variant.fragment);
     }
     return built;
@@ -160,20 +164,13 @@ struct Renderer::Impl {
   }
 
   void bindOctants(const RenderSettings& settings) {
-    const shader::OctantLights uniforms = makeOctantLights(settings.octantLight);
+    const shader::OctantLights uniforms = makeOctantLights(settings.octantLight, settings.geometryTerm);
     glNamedBufferSubData(octantBuffer.name(), 0, sizeof(uniforms), &uniforms);
     glBindBufferBase(GL_UNIFORM_BUFFER, 2, octantBuffer.name());
     GLuint unit = kSwept0Unit;
     for (const GlTexture& texture : scene.octants) glBindTextureUnit(unit++, texture.name());
     for (const GlTexture& texture : geometryTerm(settings.geometryTerm)) glBindTextureUnit(unit++, texture.name());
     assert(unit <= kBeamUnit);
-  }
-
-  // The shadow's direction belongs to its program.
-  void setShadow(glm::dvec3 towardsLight) {
-    constexpr GLint kTowardsLight = 1;
-    const glm::vec3 along(glm::transpose(scene.frame.worldFromAxes) * glm::normalize(towardsLight));
-    glProgramUniform3f(program(Shading::shadow).name(), kTowardsLight, along.x, along.y, along.z);
   }
 
   void bindLights(const RenderSettings& settings) const {
@@ -192,7 +189,6 @@ struct Renderer::Impl {
     const std::array<GLuint, kSwept0Unit> textures{scene.level.name(), scene.clearance.name(), scene.distance.name()};
     for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
     if (shading == Shading::octants) bindOctants(settings);
-    if (shading == Shading::shadow) setShadow(settings.towardsLight);
     if (shading == Shading::lights) bindLights(settings);
     for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
     glBlendEquation(GL_FUNC_ADD);
@@ -219,7 +215,7 @@ struct Renderer::Impl {
   // are drawn on their own.
   void drawTile(glm::vec2 pixelOrigin, glm::ivec2 size, const RenderSettings& settings, glm::vec4 background) {
     const std::vector<TileRect> rects = beams.trace(pixelOrigin, size);
-    const GlProgram& march = program(settings.shading);
+    const GlProgram& march = program(settings.shading, settings.suns.size());
     const bool single = settings.samples == 1;
     if (single || settings.layers) {
       framebuffer.bind(size, single, settings.layers);

@@ -31,9 +31,8 @@ struct SceneFields {
 enum class NormalSource { data, distance };
 enum class Shading {
   octants,  ///< sum I_s V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point under I = 1 gives 1
-  lights,   ///< the sum of the light fields, interpolated at the hit, times their colours, and a head light
+  lights,   ///< the sum of the light fields, interpolated at the hit, times their colours, a head light and suns
   local,    ///< head light, N . V: nothing swept needed
-  shadow,   ///< a light infinitely far away, N . w where it is above 0 and a ray meets nothing: nothing swept needed
 };
 
 /// The uniform white sky.
@@ -51,13 +50,13 @@ struct RenderSettings {
   /// a cloudy day ([Singh10] Fig. 7). They and the geometry term change at the cost of a frame.
   std::array<glm::vec3, kOctantCount> octantLight = kWhiteOctants;
   GeometryTerm geometryTerm = GeometryTerm::front;  ///< octants: bothSides for a translucent solid
-  glm::dvec3 towardsLight{0, 0, 1};                 ///< shadow: world, any length but 0
   std::vector<glm::vec3> lightColors = {};          ///< of each light field, linear, >= 0; empty: white
-  glm::vec3 headLight{0};            ///< Shading::lights: of a light from the eye without shadows, linear
-  float gamma = 1;                   ///< colour = albedo * light^(1 / gamma) ([Singh10] Sec. 2 uses 2)
-  glm::vec3 albedo{1};               ///< linear
-  glm::vec4 background{1, 1, 1, 1};  ///< linear, not premultiplied; alpha 0 = transparent
-  bool layers = false;               ///< also fill light, normal, position, depth
+  glm::vec3 headLight{0};                           ///< lights: one from the eye without shadows, linear
+  std::vector<HardSun> suns = {};                   ///< lights: up to kMostSuns, with shadows of the solid itself
+  float gamma = 1;                                  ///< colour = albedo * light^(1 / gamma) ([Singh10] Sec. 2 uses 2)
+  glm::vec3 albedo{1};                              ///< linear
+  glm::vec4 background{1, 1, 1, 1};                 ///< linear, not premultiplied; alpha 0 = transparent
+  bool layers = false;                              ///< also fill light, normal, position, depth
 };
 
 /// Row-major, top row first. Colour is linear and premultiplied. Layers are taken at the centre of the pixel, never

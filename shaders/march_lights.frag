@@ -3,6 +3,7 @@
 #include "lib/disc_light.glsl"
 #include "march/light_counts.glsl"
 #include "march/scene.glsl"
+#include "march/shadow.glsl"
 #include "shared/light_uniforms.h"
 
 layout(std140, binding = 1) uniform LightBlock { LightUniforms lights; };
@@ -27,6 +28,11 @@ vec3 hitLight(vec3 hit, vec3 normal, vec3 viewer) {
     vec4 disc = lights.disc[i];
     if (disc.w > 0.0f) light *= discCosine(dot(normal, disc.xyz), disc.w);
     sum += light * lights.color[i].rgb;
+  }
+  for (int i = 0; i < kSuns; ++i) {
+    vec3 sun = lights.sun[i].xyz;
+    float cosine = max(dot(normal, sun), 0.0f);
+    sum += cosine * lightVisibility(hit, normal, sun / frame.scale.xyz) * lights.sunColor[i].rgb;
   }
   return sum;
 }

@@ -55,7 +55,7 @@ double frontTerm(int octant, glm::dvec3 normal) {
 
 double octantGeometryTerm(int octant, glm::dvec3 normal, GeometryTerm term) {
   const double front = frontTerm(octant, normal);
-  return term == GeometryTerm::front ? front : (front + frontTerm(octant, -normal)) / 2;
+  return term == GeometryTerm::front ? front : front + frontTerm(octant, -normal);
 }
 
 GeometryTermTables makeGeometryTermTables(int size, GeometryTerm geometryTerm) {

@@ -1,5 +1,5 @@
 // Integrated geometry term of an octant, G_s(N) = integral over octant s of max(N . w, 0) dw ([Singh10] Eq. 5) or of
-// |N . w| / 2, and the two RGBA tables of it that the shader reads.
+// |N . w|, and the two RGBA tables of it that the shader reads.
 #pragma once
 
 #include <array>
@@ -15,13 +15,12 @@ namespace isolume {
 /// What a direction counts, as a factor of dw.
 enum class GeometryTerm {
   front,      ///< max(N . w, 0)
-  bothSides,  ///< |N . w| / 2: light from behind too, through a translucent solid ([Singh10] Sec. 4.2)
+  bothSides,  ///< |N . w|: light from behind too, through a translucent solid ([Singh10] Sec. 4.2)
 };
 
 /// G_s(N) for unit N and octant s of kOctants (directions `towardsLight`), closed form: Lambert's formula for the
-/// octant clipped at the horizon of N; of both sides (G_s(N) + G_s(-N)) / 2, G_s those of the front. In [0, pi]; the
-/// eight sum to pi, with either term, so that sum V_s G_s / pi of an open point is 1. [Singh10] has |N . w| without the
-/// 1/2, whose eight sum to 2 pi. Exact to rounding (about 1e-15).
+/// octant clipped at the horizon of N; of both sides G_s(N) + G_s(-N), G_s those of the front. In [0, pi]; the eight sum
+/// to pi, so that sum V_s G_s / pi of an open point is 1; of both sides to 2 pi. Exact to rounding (about 1e-15).
 double octantGeometryTerm(int octant, glm::dvec3 normal, GeometryTerm term = GeometryTerm::front);
 
 /// G of the octants 0 to 3 (which are those with towardsLight.z < 0) and 4 to 7, for normals with N.z >= 0; for

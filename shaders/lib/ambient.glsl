@@ -16,14 +16,14 @@ GeometryAddress geometryAddress(vec3 normal, float size) {
 
 const float kInversePi = 0.318309886184f;
 
-// Octants 0 to 3 and 4 to 7. Rounded tables and 8-bit octants may exceed the brightest octant by a rounding error.
+// Octants 0 to 3 and 4 to 7. Rounded tables and 8-bit octants may exceed an open point by a rounding error.
 vec3 octantLight(OctantLights lights, vec4 visibility0, vec4 visibility1, vec4 geometry0, vec4 geometry1) {
   vec4 through0 = visibility0 * geometry0;
   vec4 through1 = visibility1 * geometry1;
   vec3 light = vec3(dot(through0, lights.low[0]) + dot(through1, lights.high[0]),
                     dot(through0, lights.low[1]) + dot(through1, lights.high[1]),
                     dot(through0, lights.low[2]) + dot(through1, lights.high[2]));
-  return min(light * kInversePi, vec3(lights.brightest.x, lights.brightest.y, lights.brightest.z));
+  return min(light * kInversePi, vec3(lights.most.x, lights.most.y, lights.most.z));
 }
 
 // Visibility of four octants with the same sign of z (zSign: towards their light; channel order of sweep/octants.h) at a

@@ -17,12 +17,6 @@ namespace isolume {
 
 struct EnvironmentMap;
 
-/// A light whose shadows the shader finds by itself.
-struct HardSun {
-  glm::dvec3 direction{0};  ///< world, towards it
-  glm::vec3 color{1};
-};
-
 /// What the renderer takes, exposure applied. 2 bytes per voxel and field.
 struct SweptLighting {
   std::vector<SweptLight> fields;

@@ -49,6 +49,7 @@ RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occl
   settings.occlusionOffsetVoxels = static_cast<float>(occlusion.offset);
   settings.lightColors = lighting.colors;
   settings.headLight = lighting.head;
+  settings.suns = lighting.suns;
   settings.gamma = static_cast<float>(job.gamma);
   settings.albedo = job.albedo.linear;
   settings.background = glm::vec4(job.background.linear, job.transparent ? 0.0f : 1.0f);

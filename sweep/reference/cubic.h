@@ -19,6 +19,11 @@ struct Cubic {
     const double r = 1 - s;
     return (b0 * r + 3 * b1 * s) * (r * r) + (3 * b2 * r + b3 * s) * (s * s);
   }
+  /// f'(s).
+  double slope(double s) const {
+    const double r = 1 - s;
+    return 3 * ((b1 - b0) * r * r + 2 * (b2 - b1) * r * s + (b3 - b2) * s * s);
+  }
   /// No coefficient above 0, and so no point.
   bool isNowherePositive() const { return b0 <= 0 && b1 <= 0 && b2 <= 0 && b3 <= 0; }
   bool isNowhereNegative() const { return b0 >= 0 && b1 >= 0 && b2 >= 0 && b3 >= 0; }

@@ -119,7 +119,7 @@ Channels sampleTranslucent(const ReferenceScene& scene, const IntegrandSettings&
   else
     light =
         transmitted(scene, settings.opacity, lengthInside(outward)) + transmitted(scene, settings.opacity, thickness);
-  return {light / 2, thickness, 0, 0};
+  return {light, thickness, 0, 0};
 }
 
 /// [Klehm11] Sec. 3.2 from the mean of V w and the mean of V.

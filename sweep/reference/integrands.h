@@ -14,10 +14,10 @@
 //                Sec. 3.1, shown at unit length, and the cone C = (1 - max(0, 2 |N_b| - 1)) pi / 2 of Sec. 3.2 in
 //                radians: an open point gives N and pi / 2. Eq. 2 of the paper puts 1 / pi before the integral, which
 //                sets the length alone. Nothing open: direction 0, cone 0.
-//   translucent  E = (1 / (2 pi)) * integral over the whole sphere of |N . w| T(w) dw, [Singh10] Sec. 4.2: light that
+//   translucent  E / pi = (1 / pi) * integral over the whole sphere of |N . w| T(w) dw, [Singh10] Sec. 4.2: light that
 //                goes straight through. T = exp(-s l) with l the length inside the solid on the way to the border of
 //                the grid and s = -ln(1 - opacity) / h, h the smallest spacing: a voxel of solid lets 1 - opacity pass,
-//                as in Eq. 8. Opacity 0 gives 1, opacity 1 half of the openness of `ambient` (T = V). Beside it the
+//                as in Eq. 8. Opacity 0 gives 2, opacity 1 the openness of `ambient` (T = V). Beside it the
 //                mean length inside, (1 / pi) * integral over N . w < 0 of |N . w| l dw, world units.
 // Directions are drawn with density cos / pi about the normal (bent: uniform), and for a map with bright spots half of
 // them from the map, combined by the balance heuristic ([Veach95], one-sample form): the weight of a direction is

@@ -172,7 +172,7 @@ TEST(ShaderMath, OctantLightIsNormalised) {
   // All octants open and of light 1: (sum of G) / pi = 1; rounding above 1 is cut.
   glsl::OctantLights white{};
   for (int color = 0; color < 3; ++color) white.low[color] = white.high[color] = glm::vec4(1);
-  white.brightest = glm::vec4(1, 1, 1, 0);
+  white.most = glm::vec4(1, 1, 1, 0);
   const glm::vec4 open(1);
   const glm::vec4 share(static_cast<float>(M_PI / 8));
   for (int color = 0; color < 3; ++color) {
@@ -191,7 +191,7 @@ TEST(ShaderMath, EachOctantHasItsOwnLight) {
     for (int color = 0; color < 3; ++color) {
       lights.low[color] = vector();
       lights.high[color] = vector();
-      lights.brightest[color] = color == 2 ? 0.1f : 100.0f;
+      lights.most[color] = color == 2 ? 0.1f : 100.0f;
     }
     const glm::vec4 visibility[2]{vector(), vector()}, geometry[2]{vector(), vector()};
     const glm::vec3 got = glsl::octantLight(lights, visibility[0], visibility[1], geometry[0], geometry[1]);
@@ -200,7 +200,7 @@ TEST(ShaderMath, EachOctantHasItsOwnLight) {
       for (int s = 0; s < kOctantCount; ++s)
         sum += static_cast<double>((s < 4 ? lights.low : lights.high)[color][s % 4]) * visibility[s / 4][s % 4] *
                geometry[s / 4][s % 4] / M_PI;
-      EXPECT_NEAR(got[color], std::min(sum, static_cast<double>(lights.brightest[color])), 1e-6);
+      EXPECT_NEAR(got[color], std::min(sum, static_cast<double>(lights.most[color])), 1e-6);
     }
   }
 }

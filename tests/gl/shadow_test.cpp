@@ -22,8 +22,8 @@ namespace {
 
 RenderSettings shadowSettings(glm::dvec3 towardsLight, int width = 120, int height = 96) {
   RenderSettings settings = layerSettings(width, height);
-  settings.shading = Shading::shadow;
-  settings.towardsLight = towardsLight;
+  settings.shading = Shading::lights;
+  settings.suns = {{towardsLight}};
   return settings;
 }
 

@@ -37,14 +37,14 @@ double integrated(int octant, glm::dvec3 normal, GeometryTerm term, int steps) {
       const double phi = (j + 0.5) / steps * std::numbers::pi / 2;
       const glm::dvec3 direction(sign.x * r * std::cos(phi), sign.y * r * std::sin(phi), sign.z * z);
       const double cosine = glm::dot(normal, direction);
-      sum += term == GeometryTerm::front ? std::max(cosine, 0.0) : std::abs(cosine) / 2;
+      sum += term == GeometryTerm::front ? std::max(cosine, 0.0) : std::abs(cosine);
     }
   }
   return sum / (static_cast<double>(steps) * steps) * std::numbers::pi / 2;
 }
 
 TEST(GeometryTerms, EqualTheirIntegral) {
-  // G_s(N) equals the numerical integral over octant s of max(N . w, 0), or of |N . w| / 2.
+  // G_s(N) equals the numerical integral over octant s of max(N . w, 0), or of |N . w|.
   constexpr int kSteps = 400;  // the midpoint rule is then good to about 1e-5
   constexpr double kBound = 1e-4;
   const std::vector<glm::dvec3> normals = testNormals();
