@@ -110,7 +110,7 @@ Channels sampleTranslucent(const ReferenceScene& scene, const IntegrandSettings&
                            glm::dvec2 u) {
   const glm::dvec3 outward = frameAbout(point.normal) * cosineDirection(u);
   const auto lengthInside = [&](glm::dvec3 direction) {
-    return scene.tracer.lengthInside(rayFrom(scene, point.hit, direction, kFar), point.hit);
+    return scene.tracer.lengthInside(rayFrom(scene, point.hit, direction, kFar));
   };
   const double thickness = lengthInside(-outward);
   double light = 0;

@@ -153,8 +153,7 @@ bool SurfaceTracer::isBlocked(const GridRay& ray, const SurfacePoint& from) cons
   return blocked;
 }
 
-double SurfaceTracer::lengthInside(const GridRay& ray, const SurfacePoint& from) const {
-  if (leavesAtOnce(level_.size, from.position, ray.direction)) return 0;
+double SurfaceTracer::lengthInside(const GridRay& ray) const {
   double length = 0;
   visitSolidCells(solid_, ray, RayWalk(ray, level_.size, ray.start, -1), ray.end, [&](const Segment& segment) {
     const Cubic cubic = segment.cubic(CellCorners(level_, segment.cell));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <string>
 
 #include "gl/gl_scene.h"
 #include "raymarch/gpu_error.h"

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <iostream>
+#include <utility>
 
 #include "gl/gl_scene.h"
 #include "raymarch/gpu_error.h"
@@ -132,6 +133,26 @@ TEST(Shadow, ABlockIsLitUpToItsEdges) {
     }
     EXPECT_GT(caps, 500);
     EXPECT_GT(surface, 500);
+  }
+}
+
+TEST(Shadow, AFloorNextToItsSamplesIsLit) {
+  // A floor on a plane of samples, or a millionth of a voxel above it: hits that float puts a little below or above the
+  // samples have light alike.
+  for (const double above : {0.0, 1e-7, 1e-6, 3e-6, 1e-5}) {
+    const GlScene scene =
+        makeScene(glm::ivec3(40), glm::dvec3(1), [above](glm::dvec3 p) { return p.z - (20 + above); });
+    const Frame frame =
+        renderOnce(scene, frameScene(scene, {.elevationDegrees = 50}), shadowSettings({1, 0.3, 0.2}, 160, 160));
+    int hits = 0;
+    for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+      if (!(frame.normal[i].z > 0.5F)) continue;
+      ASSERT_NEAR(frame.light[i].x, glm::dot(glm::dvec3(frame.normal[i]), glm::normalize(glm::dvec3(1, 0.3, 0.2))),
+                  1e-5)
+          << above << " " << frame.position[i].z - 20;
+      ++hits;
+    }
+    EXPECT_GT(hits, 5000);
   }
 }
 

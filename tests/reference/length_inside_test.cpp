@@ -39,7 +39,7 @@ Crossed crossedByHalving(GridView<const float> level, const SurfaceTracer& trace
 // The same from lengthInside(): from where the ray enters the box, or starts in it.
 double lengthFrom(const SurfaceTracer& tracer, GridRay ray, const BoxSpan& span) {
   ray.start = static_cast<double>(span.begin);
-  return tracer.lengthInside(ray, {ray.start, ray.origin + ray.start * ray.direction, -1});
+  return tracer.lengthInside(ray);
 }
 
 TEST(LengthInside, SumsWhatLiesBetweenCrossings) {
@@ -51,7 +51,7 @@ TEST(LengthInside, SumsWhatLiesBetweenCrossings) {
   for (std::uint64_t i = 0; i < 1500; ++i) {
     const GridRay ray = randomRay(level.size(), i);
     const auto span = boxSpan(level.size(), ray);
-    // Rays along faces and edges of the box are inside as long as the face is, or outside it: no matter of crossings.
+    // What only touches the box.
     if (!span || span->end - span->begin < 1e-6L) continue;
     const Crossed want = crossedByHalving(level.view(), tracer, ray, *span);
     const double bound = 4 * static_cast<double>(kPast) * (want.crossings + 1);
