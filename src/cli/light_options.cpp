@@ -113,10 +113,12 @@ void addLightOptions(CLI::App& app, LightingRequest& lighting) {
   app.add_option_function<std::vector<std::string>>(
          "--light",
          [&lighting](const std::vector<std::string>& texts) {
+           lighting.lights.clear();  // of a preset
            for (const std::string& text : texts) lighting.lights.push_back(parseLight("--light", text));
          },
          "once or more: KIND[:KEY=VALUE...], each with color and\nintensity: sky; gradient (zenith, horizon, ground: "
-         "colours);\nsun (azimuth, elevation as of the camera, or direction=X,Y,Z;\nshadow=soft with radius in degrees, "
+         "colours);\nsun (azimuth, elevation as of the camera, or direction=X,Y,Z;\nshadow=soft with radius in "
+         "degrees, "
          "hard or turned;\nfrom=camera: angles from the eye); head (from the eye, without\nshadows); octants "
          "(intensities=I0,...,I7, top=only; with\n--occlusion singh10, octants or combined)")
       ->type_name("LIGHT")

@@ -7,6 +7,7 @@
 #include "src/cli/option_builder.h"
 #include "src/cli/parse_value.h"
 #include "src/cli/picture_options.h"
+#include "src/cli/presets.h"
 #include "src/cli/surface_options.h"
 
 namespace isolume {
@@ -116,6 +117,12 @@ void addPictureOptions(CLI::App& app, RenderJob& job) {
 
 void addRenderOptions(CLI::App& app, RenderJob& job) {
   addPictureOptions(app, job);
+  // Before all options that may replace a part of it: they are read in this order.
+  OptionGroup(app, "Shading")
+      .value(
+          "--preset", "NAME",
+          [&job](const std::string& option, const std::string& text) { applyPreset(option, text, job); },
+          "a ready-made look: singh10, clay, studio, cloudy or\ntranslucent; other options replace their part of it");
   addCameraOptions(app, job.camera);
   addShadingOptions(app, job);
   addLightOptions(app, job.light);

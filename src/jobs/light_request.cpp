@@ -23,7 +23,7 @@ bool has(const LightingRequest& request, LightKind kind) {
 
 bool isPlain(const LightingRequest& request) {
   return request.lights.empty() && request.environment.empty() && request.exposure == 0 &&
-         request.bounces.value_or(0) == 0 && request.opacity.value_or(1) == 1;
+         request.bounces.value_or(0) == 0 && request.opacity.value_or(1) == 1 && !request.freePathShare;
 }
 
 const char* givenOption(const LightingRequest& request) {
@@ -70,7 +70,7 @@ void checkLighting(const LightingRequest& request, OcclusionMethod method) {
     throw UsageError(
         fmt::format("--light octants: expected --occlusion singh10, octants or combined beside it, found {}",
                     occlusionName(method)));
-  if (request.opacity.value_or(1) == 1) return;
+  if (request.opacity.value_or(1) == 1 && !request.freePathShare) return;
   if (request.bounces.value_or(0) != 0)
     throw UsageError("--bounces: expected an opaque solid, found --opacity below 1");
   if (has(request, LightKind::sun))

@@ -52,10 +52,14 @@ struct LightingRequest {
   double exposure = 0;            ///< doublings of all light
   std::optional<int> bounces;     ///< reflections by the surface; kAllBounces: until nothing changes; default 0
   std::optional<double> opacity;  ///< of a voxel of solid, [0, 1]; default 1
-  bool bent = false;              ///< bent normals are wanted
-  bool thickness = false;         ///< the thickness is wanted
+  /// In place of an opacity: the mean free path in the solid as a share of its extent (the diagonal of its box).
+  std::optional<double> freePathShare;
+  bool bent = false;       ///< bent normals are wanted
+  bool thickness = false;  ///< the thickness is wanted
 };
 inline constexpr int kAllBounces = -1;
+/// Light comes through a finger of the solid, and hardly through its body.
+inline constexpr double kTranslucentShare = 0.03;
 
 /// Whether light is openness and nothing else: one white sky, no reflection, an opaque solid.
 bool isPlain(const LightingRequest& request);

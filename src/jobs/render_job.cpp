@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include <future>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 
@@ -80,6 +83,16 @@ SceneFields sceneFields(const SweptScene& scene, const SweptLighting& lighting, 
   return fields;
 }
 
+/// An opacity that was asked for by the solid's extent, so that outputs tell what to draw the picture again with.
+void settleOpacity(LightingRequest& light, const Surface& surface) {
+  if (light.freePathShare && !light.opacity) {
+    const std::array<glm::dvec3, 8> corners = solidCorners(surface);
+    const double path = *light.freePathShare * glm::length(corners[7] - corners[0]);
+    light.opacity = -std::expm1(-smallestSpacing(surface.level.view().spacing) / path);
+  }
+  light.freePathShare.reset();
+}
+
 /// Of grey lights, by octant of the grid's axes; the mean over them is what is swept.
 OctantIntensities combinedIntensities(const LightingRequest& request) {
   OctantIntensities intensities;
@@ -128,7 +141,8 @@ SweptLighting lightScene(const RenderJob& job, const OcclusionSetting& occlusion
 
 }  // namespace
 
-void runRenderJob(const RenderJob& job) {
+void runRenderJob(const RenderJob& request) {
+  RenderJob job = request;
   checkWritable(job.output);
   if (!job.run.report.empty()) checkWritable(job.run.report);
   limitThreads(job.run.threads);
@@ -146,6 +160,7 @@ void runRenderJob(const RenderJob& job) {
     needs.intensities = combinedIntensities(job.light);
   }
   SweptScene scene = loadScene(job.surface, needs, log);
+  settleOpacity(job.light, scene.surface);
   const double aspect = static_cast<double>(job.size.x) / job.size.y;
   const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
   SweptLighting lighting = lightScene(job, occlusion, scene, camera, log);

@@ -46,6 +46,6 @@ struct RenderJob {
 };
 
 /// Nothing is written unless all went well. Throws the errors of src/errors.h and GpuError.
-void runRenderJob(const RenderJob& job);
+void runRenderJob(const RenderJob& request);
 
 }  // namespace isolume
