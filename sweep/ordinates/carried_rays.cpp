@@ -114,7 +114,7 @@ struct Length {
     const hn::ScalableTag<std::uint16_t> d;
     const hn::Rebind<std::uint8_t, decltype(d)> half;
     for (int x = 0; x < length; x += static_cast<int>(hn::Lanes(d)))
-      hn::StoreU(hn::Add(hn::LoadU(d, from + x), hn::PromoteTo(d, hn::LoadU(half, met + x))), d, to + x);
+      hn::StoreU(hn::SaturatedAdd(hn::LoadU(d, from + x), hn::PromoteTo(d, hn::LoadU(half, met + x))), d, to + x);
   }
 };
 
@@ -150,7 +150,7 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
   for (int j = 0; j <= kMostSkipped; ++j)
     kept[static_cast<std::size_t>(j)] =
         size * static_cast<std::int32_t>(slotOf(layer + towards * j) * rays.layerSize() + rays.placeOf(0));
-  const auto stride = hn::Set(d, static_cast<float>(rays.stride()));
+  const auto stride = hn::Set(di, rays.stride());
   const auto add = [&](std::int32_t* to, FloatVec value, float scale) {
     hn::StoreU(hn::Add(hn::LoadU(di, to), hn::NearestInt(hn::Mul(value, hn::Set(d, scale)))), di, to);
   };
@@ -161,7 +161,7 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
     const auto wanted = kLength ? point.inRange : facing;
     if (hn::AllFalse(d, wanted)) continue;
     const RayPlace at = placeOnRay(lattice, point, direction, step, cosine, facing);
-    const auto place = hn::ConvertTo(di, hn::Add(hn::Mul(at.row, stride), at.column));
+    const auto place = hn::Add(hn::Mul(hn::ConvertTo(di, at.row), stride), hn::ConvertTo(di, at.column));
     const auto bytes = hn::Add(hn::Mul(place, hn::Set(di, size)), skipped(di, kept, at.skips));
     const auto state = hn::And(hn::GatherOffset(di, rays.words32(), bytes), stateMask);
     std::int32_t* to = tally.sums + i;
@@ -197,11 +197,17 @@ void sweepKind(const LatticeLayers& lattice, int towards, const std::vector<RayD
   for (std::size_t k = 0; k < directions.size(); ++k)
     rays.emplace_back(lattice.length, lattice.rows, kKeptLayers, Kind::kNothing);
   MetLayer met(lattice, tally.kind == CarriedTally::Kind::nearest);
-  const int first = towards > 0 ? lattice.layers - 1 : 0;
+  const auto readAt = [&](int layer, std::size_t k, const RayStep& step) {
+    const int below = towards > 0 ? layer - 1 : layer;
+    readCarried<Kind>(lattice, towards, directions[k], step, rays[k], layer, points, points.begin(below),
+                      points.begin(below + 1), tally);
+  };
+  const int first = towards > 0 ? lattice.layers - 1 : 0, beyond = first + towards;
+  // Points beyond the first layer have nothing before them, and see all light.
+  for (std::size_t k = 0; k < directions.size(); ++k) readAt(beyond, k, stepInto(beyond, towards, directions[k]));
   for (int done = 0; done < lattice.layers; ++done) {
     const int layer = first - towards * done, slot = slotOf(layer), before = slotOf(layer + towards);
     met.fill(layer, samples, values);
-    const int below = towards > 0 ? layer - 1 : layer;
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const RayStep step = stepInto(layer, towards, directions[k]);
       for (int r = 0; r < lattice.rows; ++r) {
@@ -209,8 +215,7 @@ void sweepKind(const LatticeLayers& lattice, int towards, const std::vector<RayD
                          rays[k].row(r, slot));
         rays[k].closeRow(r, slot);
       }
-      readCarried<Kind>(lattice, towards, directions[k], step, rays[k], layer, points, points.begin(below),
-                        points.begin(below + 1), tally);
+      readAt(layer, k, step);
     }
   }
 }

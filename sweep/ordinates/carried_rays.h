@@ -4,7 +4,8 @@
 // Geometry, rounding and the reading of points are those of sheared_rays.h, on a lattice of the samples themselves
 // (refinement 1). With the state R of a ray in the layer k' before,
 //   nearest:  R_k(x) = value of the lattice point if it is solid, else R_k'(x + o(k') - o(k)), 8 bits;
-//   length:   R_k(x) = R_k'(x + o(k') - o(k)) + the solid share of the lattice point, 16 bits.
+//   length:   R_k(x) = R_k'(x + o(k') - o(k)) + the solid share of the lattice point, 16 bits: of more than 4095 solid
+//             points on a ray's way no more count.
 // Beyond the lattice nothing is met. A point on the surface that looks into the solid (N . w < 0) reads the next layer
 // without a lift, for `length` alone.
 //

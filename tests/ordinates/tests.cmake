@@ -1,4 +1,5 @@
 isolume_test(test_ordinates
+  ordinates/carried_rays_test.cpp
   ordinates/openness_caps_test.cpp
   ordinates/openness_reference_test.cpp
   ordinates/openness_test.cpp
@@ -8,6 +9,7 @@ isolume_test(test_ordinates
   ordinates/sheared_rays_test.cpp
   ordinates/solid_lattice_test.cpp
   ordinates/surface_feet_test.cpp
+  support/plain_carried.cpp
   support/plain_rays.cpp
   support/random_grids.cpp
   LIBS isolume_sweep isolume_reference isolume_volumes hwy::hwy)
