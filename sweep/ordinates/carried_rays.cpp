@@ -169,9 +169,7 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
       const auto slope = hn::Abs(cosine);
       auto layers = hn::Mul(hn::ConvertTo(d, state), hn::Set(d, 1.0F / kSolidShare));
       // From the surface to the nearer edge of the next layer, for those who look inwards.
-      const auto lift = hn::Div(hn::Mul(point.toClear, hn::Set(d, kLift / (kClearance - kLift))),
-                                hn::Mul(hn::Max(slope, hn::Set(d, 1e-3F)), hn::Set(d, direction.risePerCosine)));
-      const auto before = hn::Sub(hn::Sub(hn::Abs(point.ahead), lift), hn::Set(d, 0.5F));
+      const auto before = hn::Sub(hn::Mul(at.ahead, hn::Set(d, static_cast<float>(towards))), hn::Set(d, 0.5F));
       layers = hn::Add(layers, hn::IfThenElse(facing, hn::Zero(d), hn::Max(before, hn::Zero(d))));
       const auto length = hn::Mul(layers, hn::Set(d, direction.risePerCosine));
       const auto light = hn::Mul(hn::Mul(slope, hn::Set(d, direction.value[0])),

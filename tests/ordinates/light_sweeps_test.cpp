@@ -99,6 +99,22 @@ TEST(DiscLight, GivesTheWholeCapAtTheTopOfTheGridItsLight) {
   }
 }
 
+TEST(DiscLight, ABallHasNoDarkRim) {
+  // The share of a small sun that a ball sees is 1 up to where the normal turns away from its centre: samples beyond
+  // take what their neighbours have, so that none darkens the rim by interpolation. To .02.
+  const SweptScene scene(ballLevel(33, 11, {16.3, 15.8, 16.1}), 1);
+  const glm::dvec3 towards = glm::normalize(glm::dvec3(1, 0.4, -0.3));
+  const DiscLight disc = sweepDisc(scene.rays, towards, 2, 64);
+  int rim = 0;
+  for (const SurfaceFoot& foot : scene.feet()) {
+    const double cosine = glm::dot(glm::dvec3(foot.normal), towards);
+    if (cosine < 0) continue;
+    EXPECT_GT(lightAt(disc.share, glm::dvec3(foot.position)), 0.98) << cosine;
+    rim += cosine < 0.05 ? 1 : 0;
+  }
+  EXPECT_GT(rim, 20);
+}
+
 // A floor at z = 4 under a slab that covers x < 24.5, a voxel thick above z = 24, over all of y.
 constexpr double kFloor = 4, kEdge = 24.5, kUnderside = 24;
 SweptScene eaves(int refinement) {

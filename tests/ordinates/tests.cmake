@@ -1,5 +1,6 @@
 isolume_test(test_ordinates
   ordinates/carried_rays_test.cpp
+  ordinates/inter_reflection_test.cpp
   ordinates/light_sweeps_test.cpp
   ordinates/openness_caps_test.cpp
   ordinates/openness_reference_test.cpp
@@ -11,6 +12,7 @@ isolume_test(test_ordinates
   ordinates/sky_ordinates_test.cpp
   ordinates/solid_lattice_test.cpp
   ordinates/surface_feet_test.cpp
+  ordinates/translucency_test.cpp
   support/plain_carried.cpp
   support/plain_rays.cpp
   support/random_grids.cpp

@@ -18,14 +18,6 @@ float plainDecay(float x) {
   return std::ldexp(sum, static_cast<int>(whole));
 }
 
-// Of a ray that looks into the solid: how much of it lies between the surface and the nearer edge of the next layer,
-// in layers.
-float layersBefore(const PlainPoint& point, float slope, const RayDirection& w) {
-  constexpr float kLeastSlope = 1e-3F;
-  const float lift = point.toClear * (kLift / (kClearance - kLift)) / (std::max(slope, kLeastSlope) * w.risePerCosine);
-  return std::max((std::abs(point.ahead) - lift) - 0.5F, 0.0F);
-}
-
 }  // namespace
 
 std::vector<std::int32_t> plainCarried(const SolidLattice& lattice, glm::dvec3 spacing, int axis, int towards,
@@ -41,7 +33,8 @@ std::vector<std::int32_t> plainCarried(const SolidLattice& lattice, glm::dvec3 s
       const float cosine = point.cosine(w), slope = std::abs(cosine);
       if (!lengths && !(cosine > 0)) continue;
       int first = kNothingMet, total = 0;
-      walkPlainRay(plain, plainEntry(plain, point, towards, w), towards, w, [&](int bit, int row, int layer) {
+      const PlainEntry entry = plainEntry(plain, point, towards, w);
+      walkPlainRay(plain, entry, towards, w, [&](int bit, int row, int layer) {
         const glm::ivec3 p = plain.point(bit, row, layer);
         first = met(p.x, p.y, p.z);
         total += first;
@@ -52,7 +45,8 @@ std::vector<std::int32_t> plainCarried(const SolidLattice& lattice, glm::dvec3 s
         continue;
       }
       float layers = static_cast<float>(total) * (1.0F / kSolidShare);
-      if (!(cosine > 0)) layers += layersBefore(point, slope, w);
+      // From the surface to the nearer edge of the next layer.
+      if (!(cosine > 0)) layers += std::max(entry.ahead * static_cast<float>(towards) - 0.5F, 0.0F);
       const float length = layers * w.risePerCosine, weight = slope * w.value[0];
       sums[i] += rounded(weight * plainDecay(length * (1 / tally.meanFreePath)), tally.scale);
       if (!(cosine > 0)) sums[points.count() + i] += rounded(weight * length, tally.lengthScale);

@@ -72,14 +72,16 @@ struct PlainPoint {
 /// The first lattice point that counts.
 struct PlainEntry {
   int bit = 0, row = 0, layer = 0;
+  float ahead = 0;  ///< layers from where the ray starts to the point's next one
 };
 
 /// How a ray gets clear of the steps of its own plane: by layers that it goes by, 3 at most, and by what it is lifted;
-/// one that looks into the solid by neither.
+/// one that looks into the
+/// solid starts on the surface, without the lift of the points.
 inline PlainEntry plainEntry(const PlainLattice& plain, const PlainPoint& point, int towards, const RayDirection& w) {
   const float cosine = point.cosine(w), rise = cosine * w.risePerCosine;
   int skips = 0;
-  float height = rise * std::abs(point.ahead), missing = 0;
+  float height = rise * std::abs(point.ahead), missing = point.toClear * (-kLift / (kClearance - kLift));
   if (cosine > 0) {
     for (int j = 0; j < 3; ++j, height += rise) skips += height < point.toClear ? 1 : 0;
     missing = std::max(point.toClear - height, 0.0F);
@@ -96,7 +98,7 @@ inline PlainEntry plainEntry(const PlainLattice& plain, const PlainPoint& point,
            plainOffset(slope, point.layer);
   };
   return {entry(point.at.x, point.normal.x, plain.axes.bit, w.slopeBit),
-          entry(point.at.y, point.normal.y, plain.axes.row, w.slopeRow), point.layer + towards * skips};
+          entry(point.at.y, point.normal.y, plain.axes.row, w.slopeRow), point.layer + towards * skips, left};
 }
 
 /// visit(bit, row, layer) along the digital line from an entry on, until it returns false or the line leaves the
