@@ -114,7 +114,7 @@ struct Length {
     const hn::ScalableTag<std::uint16_t> d;
     const hn::Rebind<std::uint8_t, decltype(d)> half;
     for (int x = 0; x < length; x += static_cast<int>(hn::Lanes(d)))
-      hn::StoreU(hn::Add(hn::LoadU(d, from + x), hn::PromoteTo(d, hn::LoadU(half, met + x))), d, to + x);
+      hn::StoreU(hn::SaturatedAdd(hn::LoadU(d, from + x), hn::PromoteTo(d, hn::LoadU(half, met + x))), d, to + x);
   }
 };
 
@@ -135,8 +135,7 @@ HWY_INLINE FloatVec decay(FloatVec x) {
   return hn::Mul(sum, scale);
 }
 
-// Below this |N . w| a ray looks along the surface; over so many layers its start is put right.
-inline constexpr float kLeastSlope = 1e-3F;
+// Over so many layers the start of a ray that looks inwards is put right.
 inline constexpr int kShareLayers = 4;
 
 // What the points [begin, end) read from the rays of one direction at `layer`.
@@ -154,7 +153,7 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
   for (int j = 0; j <= kMostSkipped; ++j)
     kept[static_cast<std::size_t>(j)] =
         size * static_cast<std::int32_t>(slotOf(layer + towards * j) * rays.layerSize() + rays.placeOf(0));
-  const auto stride = hn::Set(d, static_cast<float>(rays.stride()));
+  const auto stride = hn::Set(di, rays.stride());
   const float perVoxel = 1 / std::min({lattice.cellBit, lattice.cellRow, lattice.cellLayer});
   const auto add = [&](std::int32_t* to, FloatVec value, float scale) {
     hn::StoreU(hn::Add(hn::LoadU(di, to), hn::NearestInt(hn::Mul(value, hn::Set(d, scale)))), di, to);
@@ -166,7 +165,7 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
     const auto wanted = kLength ? point.inRange : facing;
     if (hn::AllFalse(d, wanted)) continue;
     const RayPlace at = placeOnRay(lattice, point, direction, step, cosine, facing);
-    const auto place = hn::ConvertTo(di, hn::Add(hn::Mul(at.row, stride), at.column));
+    const auto place = hn::Add(hn::Mul(hn::ConvertTo(di, at.row), stride), hn::ConvertTo(di, at.column));
     const auto bytes = hn::Add(hn::Mul(place, hn::Set(di, size)), skipped(di, kept, at.skips));
     const auto state = hn::And(hn::GatherOffset(di, rays.words32(), bytes), stateMask);
     std::int32_t* to = tally.sums + i;
@@ -175,12 +174,11 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
       auto layers = hn::Mul(hn::ConvertTo(d, state), hn::Set(d, 1.0F / kSolidShare));
       // Those who look inwards: from the surface to the nearer edge of the next layer, and what the shares of the
       // layers that follow lack, since the surface that cuts them is the one that the ray starts from.
-      const auto perLayer = hn::Mul(hn::Max(slope, hn::Set(d, kLeastSlope)), hn::Set(d, direction.risePerCosine));
-      const auto lift = hn::Div(hn::Mul(point.toClear, hn::Set(d, kLift / (kClearance - kLift))), perLayer);
-      const auto start = hn::Sub(hn::Abs(point.ahead), lift);
+      const auto start = hn::Mul(at.ahead, hn::Set(d, static_cast<float>(towards)));
+      const auto depthPerLayer = hn::Mul(slope, hn::Set(d, direction.risePerCosine * perVoxel));
       auto own = hn::Sub(start, hn::Set(d, 0.5F));
       for (int j = 0; j < kShareLayers; ++j) {
-        const auto depth = hn::Mul(hn::Mul(perLayer, hn::Set(d, perVoxel)), hn::Add(start, hn::Set(d, float(j))));
+        const auto depth = hn::Mul(depthPerLayer, hn::Add(start, hn::Set(d, static_cast<float>(j))));
         own = hn::Add(own, hn::Max(hn::Sub(hn::Set(d, 0.5F), depth), hn::Zero(d)));
       }
       layers = hn::Max(hn::Add(layers, hn::IfThenElse(facing, hn::Zero(d), own)), hn::Zero(d));
@@ -208,11 +206,17 @@ void sweepKind(const LatticeLayers& lattice, int towards, const std::vector<RayD
   for (std::size_t k = 0; k < directions.size(); ++k)
     rays.emplace_back(lattice.length, lattice.rows, kKeptLayers, Kind::kNothing);
   MetLayer met(lattice, tally.kind == CarriedTally::Kind::nearest);
-  const int first = towards > 0 ? lattice.layers - 1 : 0;
+  const auto readAt = [&](int layer, std::size_t k, const RayStep& step) {
+    const int below = towards > 0 ? layer - 1 : layer;
+    readCarried<Kind>(lattice, towards, directions[k], step, rays[k], layer, points, points.begin(below),
+                      points.begin(below + 1), tally);
+  };
+  const int first = towards > 0 ? lattice.layers - 1 : 0, beyond = first + towards;
+  // Points beyond the first layer have nothing before them, and see all light.
+  for (std::size_t k = 0; k < directions.size(); ++k) readAt(beyond, k, stepInto(beyond, towards, directions[k]));
   for (int done = 0; done < lattice.layers; ++done) {
     const int layer = first - towards * done, slot = slotOf(layer), before = slotOf(layer + towards);
     met.fill(layer, samples, values);
-    const int below = towards > 0 ? layer - 1 : layer;
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const RayStep step = stepInto(layer, towards, directions[k]);
       for (int r = 0; r < lattice.rows; ++r) {
@@ -220,8 +224,7 @@ void sweepKind(const LatticeLayers& lattice, int towards, const std::vector<RayD
                          rays[k].row(r, slot));
         rays[k].closeRow(r, slot);
       }
-      readCarried<Kind>(lattice, towards, directions[k], step, rays[k], layer, points, points.begin(below),
-                        points.begin(below + 1), tally);
+      readAt(layer, k, step);
     }
   }
 }

@@ -38,14 +38,20 @@ double ratioOf(const std::vector<float>& change, const std::vector<float>& befor
 InterReflection::InterReflection(const SurfaceRays& rays, int ordinates)
     : rays_(rays), samples_(rays.surface().nearSamples(true)), layers_(orderSamples(samples_, rays.lattice().size)) {
   for (const glm::dvec3& direction : ordinateDirections(ordinates)) ordinates_.push_back({direction});
-  blocked_ = rays.sum(ordinates_, 1, SurfaceRays::Count::blocked);
+  met_ = carriedSums(std::vector<std::uint8_t>(samples_.size(), kLargestCarried));
 }
 
-// 0 where nothing is met. Values are rounded at random by less than a step, so that what is rounded away in one place
+std::vector<float> InterReflection::carriedSums(const std::vector<std::uint8_t>& values) const {
+  std::vector<float> sums = sumCarried(rays_, ordinates_, layers_, values, CarriedTally::Kind::nearest, 1);
+  for (float& each : sums) each /= kLargestCarried;
+  return sums;
+}
+
+// Values are rounded at random by less than a step, so that what is rounded away in one place
 // is not lost everywhere.
 std::vector<float> InterReflection::meanMet(const std::vector<float>& light, int iteration) const {
   const float largest = *std::max_element(light.begin(), light.end());
-  std::vector<float> mean(light.size(), 0);
+  std::vector<float> mean = light;
   if (!(largest > 0)) return mean;
   std::vector<std::uint8_t> values(samples_.size());
   forEachFoot(samples_.size(), [&](std::size_t i) {
@@ -55,10 +61,9 @@ std::vector<float> InterReflection::meanMet(const std::vector<float>& light, int
     const double share = std::max(light[samples_[i].foot], 0.0F) / largest;
     values[i] = static_cast<std::uint8_t>(std::min(share * kLargestCarried + dither, double{kLargestCarried}));
   });
-  const std::vector<float> sums = sumCarried(rays_, ordinates_, layers_, values, CarriedTally::Kind::nearest, 1);
-  const float unit = largest / kLargestCarried;
+  const std::vector<float> sums = carriedSums(values);
   forEachFoot(light.size(), [&](std::size_t i) {
-    if (blocked_[i] > 0) mean[i] = std::min(unit * sums[i] / blocked_[i], largest);
+    if (met_[i] > 0) mean[i] = std::min(largest * sums[i] / met_[i], largest);
   });
   return mean;
 }
@@ -70,7 +75,9 @@ ReflectedLight InterReflection::reflect(const std::vector<float>& direct, const 
   const std::size_t count = direct.size();
   const bool all = options.bounces == 0;
   std::vector<float> light(count), change(count), before;
-  for (std::size_t i = 0; i < count; ++i) light[i] = all ? std::max(start, direct[i]) : direct[i];
+  // Sums over ordinates may exceed 1 by what the set's cosines do.
+  const auto sent = [&](std::size_t i) { return albedo * std::clamp(blocked[i], 0.0F, 1.0F); };
+  for (std::size_t i = 0; i < count; ++i) light[i] = direct[i] + (all ? sent(i) * start : 0);
   if (count == 0 || albedo == 0) {
     result.light.assign(count, 0);
     return result;
@@ -84,7 +91,7 @@ ReflectedLight InterReflection::reflect(const std::vector<float>& direct, const 
   while (result.bounces < most) {
     const std::vector<float> met = meanMet(light, result.bounces++);
     forEachFoot(count, [&](std::size_t i) {
-      const float next = direct[i] + blocked[i] * albedo * met[i];
+      const float next = direct[i] + sent(i) * met[i];
       change[i] = next - light[i];
     });
     add(1);

@@ -65,10 +65,12 @@ struct PointVector {
 // Column and row of the lattice, whole numbers, one beyond it at most; and whether more than j layers are skipped.
 struct RayPlace {
   FloatVec column, row;
+  FloatVec ahead;  // layers from where the ray starts to the one that is read
   hn::Mask<IntTag> skips[kMostSkipped];
 };
 
-// `rises`: those that face the light. The others look into the solid, and take the next layer.
+// `rises`: those that face the light. The others look into the solid: from the surface itself, without the lift of the
+// points, and into the next layer.
 HWY_INLINE RayPlace placeOnRay(const LatticeLayers& lattice, const PointVector& point, const RayDirection& to,
                                const RayStep& step, FloatVec cosine, FloatMask rises) {
   const FloatTag d;
@@ -80,10 +82,12 @@ HWY_INLINE RayPlace placeOnRay(const LatticeLayers& lattice, const PointVector& 
     height = hn::Add(height, rise);
   }
   // What is still missing after these layers, the ray is lifted by along the normal.
-  const auto missing = hn::IfThenElseZero(rises, hn::Max(hn::Sub(point.toClear, height), hn::Zero(d)));
+  const auto missing = hn::IfThenElse(rises, hn::Max(hn::Sub(point.toClear, height), hn::Zero(d)),
+                                      hn::Mul(point.toClear, hn::Set(d, -kLift / (kClearance - kLift))));
   const auto layersUp = hn::Mul(hn::Mul(missing, point.normalLayer), hn::Set(d, 1 / lattice.cellLayer));
+  const auto ahead = hn::Sub(point.ahead, layersUp);
   const auto placeOf = [&](FloatVec at, float lag, double slope, const auto& on, FloatVec normal, float cell) {
-    const auto along = hn::Mul(hn::Sub(point.ahead, layersUp), hn::Set(d, static_cast<float>(slope)));
+    const auto along = hn::Mul(ahead, hn::Set(d, static_cast<float>(slope)));
     const auto lifted = hn::Add(hn::Sub(at, hn::Set(d, lag)), hn::Mul(hn::Mul(missing, normal), hn::Set(d, 1 / cell)));
     return hn::Add(hn::Round(hn::Add(lifted, along)), skipped(d, on, skips));
   };
@@ -91,6 +95,7 @@ HWY_INLINE RayPlace placeOnRay(const LatticeLayers& lattice, const PointVector& 
     return hn::Min(hn::Max(at, hn::Set(d, -1.0F)), hn::Set(d, static_cast<float>(count)));
   };
   RayPlace place;
+  place.ahead = ahead;
   place.column = within(placeOf(point.bit, step.lagBit, to.slopeBit, step.onBit, point.normalBit, lattice.cellBit),
                         lattice.length);
   place.row =

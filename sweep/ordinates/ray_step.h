@@ -10,7 +10,7 @@ namespace isolume {
 
 inline constexpr int kMostSkipped = 3;                ///< layers that a reading may go on
 inline constexpr int kKeptLayers = kMostSkipped + 1;  ///< so many are kept
-/// Where a layer is kept; layers from -kMostSkipped on.
+/// Where a layer is kept; layers from -kKeptLayers on.
 inline int slotOf(int layer) { return (layer + kKeptLayers) % kKeptLayers; }
 
 inline int roundedOffset(double slope, int layer) { return static_cast<int>(std::floor(slope * layer + 0.5)); }

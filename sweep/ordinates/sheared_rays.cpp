@@ -133,7 +133,17 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
   const auto solid = makeLargeArray<std::uint64_t>(words * static_cast<std::size_t>(lattice.rows));
 
   std::vector<RayStep> steps(directions.size());
+  // The points whose next layer towards the light is this one: those between it and the one on the other side.
+  const auto readAt = [&](int layer) {
+    const int below = towards > 0 ? layer - 1 : layer;
+    read(lattice, towards, directions, steps, rays, layer, points, points.begin(below), points.begin(below + 1), tally);
+  };
   const int first = towards > 0 ? lattice.layers - 1 : 0;
+  if (tally.visible) {
+    // Those beyond the first layer have nothing before them.
+    for (std::size_t k = 0; k < directions.size(); ++k) steps[k] = stepInto(first + towards, towards, directions[k]);
+    readAt(first + towards);
+  }
   for (int done = 0; done < lattice.layers; ++done) {
     const int layer = first - towards * done;
     for (int r = 0; r < lattice.rows; ++r)
@@ -149,9 +159,7 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
       if (steps[k].shiftBit > 0) advance(std::integral_constant<int, 1>());
       if (steps[k].shiftBit < 0) advance(std::integral_constant<int, -1>());
     }
-    // The points whose next layer towards the light is this one: those between it and the one on the other side.
-    const int below = towards > 0 ? layer - 1 : layer;
-    read(lattice, towards, directions, steps, rays, layer, points, points.begin(below), points.begin(below + 1), tally);
+    readAt(layer);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
@@ -14,8 +15,9 @@ namespace {
 
 using std::numbers::pi;
 
-/// Blocks of texels go to the closest ordinate as a whole: at most so many along each axis of the map.
-constexpr glm::ivec2 kMostBlocks{512, 256};
+/// Blocks of the map go to the closest ordinate as a whole: so many along each axis, .7 degrees wide. Larger texels are
+/// cut into parts.
+constexpr glm::ivec2 kBlocks{512, 256};
 
 /// Relative luminance of linear Rec. 709 primaries.
 constexpr glm::dvec3 kLuminance{0.2126, 0.7152, 0.0722};
@@ -34,9 +36,15 @@ glm::dvec3 directionIntegral(double left, double right, double top, double botto
 }
 
 std::size_t closest(const std::vector<glm::dvec3>& directions, glm::dvec3 to) {
-  const auto found = std::max_element(directions.begin(), directions.end(),
-                                      [&](glm::dvec3 a, glm::dvec3 b) { return glm::dot(a, to) < glm::dot(b, to); });
-  return static_cast<std::size_t>(found - directions.begin());
+  std::size_t best = 0;
+  double largest = -2;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const double cosine = glm::dot(directions[k], to);
+    if (cosine <= largest) continue;
+    largest = cosine;
+    best = k;
+  }
+  return best;
 }
 
 }  // namespace
@@ -62,28 +70,30 @@ std::vector<Ordinate> bandedSky(int count, glm::dmat3 axesFromWorld) {
 std::vector<Ordinate> mappedSky(int count, glm::ivec2 size, const std::vector<glm::vec3>& radiance,
                                 double rotationDegrees, glm::dmat3 axesFromWorld) {
   const std::vector<glm::dvec3> directions = ordinateDirections(count);
-  const glm::ivec2 blocks = glm::min(size, kMostBlocks);
+  const glm::ivec2 parts = (kBlocks + size - 1) / size, cells = size * parts;
   const double rotation = glm::radians(rotationDegrees);
-  std::vector<LightVector> light(static_cast<std::size_t>(blocks.x) * static_cast<std::size_t>(blocks.y));
+  const auto columns = static_cast<std::size_t>(kBlocks.x), rows = static_cast<std::size_t>(kBlocks.y);
+  std::vector<LightVector> light(columns * rows);
   std::vector<std::size_t> owner(light.size());
-  parallelFor(static_cast<std::size_t>(blocks.y), [&](std::size_t j) {
-    const int top = static_cast<int>(j) * size.y / blocks.y, bottom = (static_cast<int>(j) + 1) * size.y / blocks.y;
-    for (int i = 0; i < blocks.x; ++i) {
-      const int left = i * size.x / blocks.x, right = (i + 1) * size.x / blocks.x;
-      LightVector& sum = light[j * static_cast<std::size_t>(blocks.x) + static_cast<std::size_t>(i)];
+  parallelFor(rows, [&](std::size_t j) {
+    const auto firstOf = [](std::size_t block, int all, int blocks) {
+      return static_cast<int>(static_cast<std::int64_t>(block) * all / blocks);
+    };
+    for (std::size_t i = 0; i < columns; ++i) {
+      LightVector& sum = light[j * columns + i];
       glm::dvec3 middle(0);
-      for (int row = top; row < bottom; ++row)
-        for (int column = left; column < right; ++column) {
-          const auto angle = [&](int c) { return 2 * pi * (static_cast<double>(c) / size.x - 0.5) - rotation; };
-          const glm::dvec3 part = axesFromWorld * directionIntegral(angle(column), angle(column + 1), pi * row / size.y,
-                                                                    pi * (row + 1) / size.y);
-          const glm::dvec3 color(radiance[static_cast<std::size_t>(row) * static_cast<std::size_t>(size.x) +
-                                          static_cast<std::size_t>(column)]);
+      for (int y = firstOf(j, cells.y, kBlocks.y); y < firstOf(j + 1, cells.y, kBlocks.y); ++y)
+        for (int x = firstOf(i, cells.x, kBlocks.x); x < firstOf(i + 1, cells.x, kBlocks.x); ++x) {
+          const auto angle = [&](int edge) { return 2 * pi * (static_cast<double>(edge) / cells.x - 0.5) - rotation; };
+          const glm::dvec3 part =
+              axesFromWorld * directionIntegral(angle(x), angle(x + 1), pi * y / cells.y, pi * (y + 1) / cells.y);
+          const glm::dvec3 color(radiance[static_cast<std::size_t>(y / parts.y) * static_cast<std::size_t>(size.x) +
+                                          static_cast<std::size_t>(x / parts.x)]);
           middle += part;
           for (int c = 0; c < 3; ++c) sum[static_cast<std::size_t>(c)] += color[c] * part;
         }
-      owner[j * static_cast<std::size_t>(blocks.x) + static_cast<std::size_t>(i)] =
-          closest(directions, glm::normalize(middle));
+      const bool black = sum == LightVector{};
+      owner[j * columns + i] = black ? 0 : closest(directions, glm::normalize(middle));
     }
   });
   std::vector<LightVector> shares(directions.size());
