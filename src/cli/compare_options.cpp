@@ -53,6 +53,9 @@ void addCompareOptions(CLI::App& app, CompareJob& job) {
   what.value(
       "--layer", "NAME", [&job](const std::string&, const std::string& text) { job.layer = text; },
       "layer or channel: ambient, normal, position, Z,\nnormal.X, ... (default: " + job.layer + ")");
+  what.value(
+      "--against", "NAME", [&job](const std::string&, const std::string& text) { job.wantLayer = text; },
+      "channel of WANT, if it has another name there:\n--layer irradiance.G --against ambient.Y");
   addLimitOptions(app, job.limits);
   OptionGroup output(app, "Output");
   output.flag("--json", job.json, "print as JSON");

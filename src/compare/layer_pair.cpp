@@ -145,19 +145,29 @@ void checkStandardErrors(const LayerPair& pair) {
 }  // namespace
 
 LayerPair pairLayer(const std::string& layer, const NamedImage& got, const NamedImage& want) {
+  return pairLayers(layer, layer, got, want);
+}
+
+LayerPair pairLayers(const std::string& layer, const std::string& wantLayer, const NamedImage& got,
+                     const NamedImage& want) {
   if (got.image.size != want.image.size)
     throw InputError(fmt::format("{}: expected {} x {} pixels as in {}, found {} x {}", got.file, want.image.size.x,
                                  want.image.size.y, want.file, got.image.size.x, got.image.size.y));
-  const std::vector<std::string> names = channelsOf(want, layer), gotNames = channelsOf(got, layer);
-  if (!std::is_permutation(names.begin(), names.end(), gotNames.begin(), gotNames.end()))
+  const std::vector<std::string> names = channelsOf(want, wantLayer), gotNames = channelsOf(got, layer);
+  const bool alike = layer == wantLayer;
+  if (alike && !std::is_permutation(names.begin(), names.end(), gotNames.begin(), gotNames.end()))
     throw InputError(fmt::format("{}: layer '{}': expected the channels {} as in {}, found {}", got.file, layer,
                                  fmt::join(names, ", "), want.file, fmt::join(gotNames, ", ")));
+  if (!alike && (names.size() != 1 || gotNames.size() != 1))
+    throw InputError(fmt::format("{}: layer '{}': expected one channel to compare with another of {}, found {} and {}",
+                                 got.file, layer, want.file, fmt::join(gotNames, ", "), fmt::join(names, ", ")));
   const std::string vector = vectorOf(want, names.front());
-  LayerPair pair{layer, kindOf(layer, vector), vector, want.image.size, got.file, want.file, {}, {}, {}, {}, {}, {}};
+  LayerPair pair{wantLayer, kindOf(wantLayer, vector), vector, want.image.size, got.file, want.file, {}, {}, {}, {}, {},
+                 {}};
   for (const std::string& name : names) {
     const ImageChannel* error = findChannel(want.image, "stderr." + name);
-    pair.channels.push_back({name, findChannel(got.image, name)->values, findChannel(want.image, name)->values,
-                             error ? error->values : std::vector<float>()});
+    pair.channels.push_back({name, findChannel(got.image, alike ? name : gotNames.front())->values,
+                             findChannel(want.image, name)->values, error ? error->values : std::vector<float>()});
   }
   Hits gotHits = hitsOf(got), wantHits = hitsOf(want);
   pair.gotHitsFrom = gotHits.from;

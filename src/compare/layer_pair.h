@@ -69,5 +69,9 @@ struct NamedImage {
 /// InputError if the sizes differ, a file lacks the layer or what tells its hits, the files hold different channels of
 /// it, or a standard error is not finite or below 0 at a pixel that is compared. O(pixels).
 LayerPair pairLayer(const std::string& layer, const NamedImage& got, const NamedImage& want);
+/// The same for a channel that has another name in WANT: `irradiance.G` against `ambient.Y`. InputError also where either
+/// layer is more than one channel.
+LayerPair pairLayers(const std::string& layer, const std::string& wantLayer, const NamedImage& got,
+                     const NamedImage& want);
 
 }  // namespace isolume

@@ -12,6 +12,7 @@ namespace isolume {
 struct CompareJob {
   std::string got, want;          ///< EXR files with the layer and what tells hits (compare/layer_pair.h)
   std::string layer = "ambient";  ///< a layer (`ambient`, `normal`) or one channel (`ambient.Y`)
+  std::string wantLayer;          ///< of WANT, if it has another name there; else ""
   CompareLimits limits;
   std::string heat;                 ///< PNG of the signed difference, or ""
   std::optional<double> heatRange;  ///< the colour scale ends at +- this; default: defaultHeatRange()

@@ -1,0 +1,1 @@
+"""Pictures of every kind of light beside their reference, as docs/gallery.md."""
