@@ -7,7 +7,8 @@ const float kPi = 3.14159265359f;
 // form of [Snyder96].
 float discCosine(float cosine, float radius) {
   float sine = sin(radius);
-  float solidAngle = 2.0f * kPi * (1.0f - cos(radius));
+  float halfSine = sin(0.5f * radius);
+  float solidAngle = 4.0f * kPi * halfSine * halfSine;  // 1 - cos would lose the digits of small discs
   if (cosine >= sine) return cosine * kPi * sine * sine / solidAngle;
   if (cosine <= -sine) return 0.0f;
   float across = sqrt(max(1.0f - cosine * cosine, 0.0f));

@@ -6,6 +6,8 @@ isolume_test(test_cli
   cli/environment_test.cpp
   cli/fields_test.cpp
   cli/info_test.cpp
+  cli/light_options_test.cpp
+  cli/lights_test.cpp
   cli/occlusion_method_test.cpp
   cli/picture.cpp
   cli/program.cpp

@@ -20,6 +20,7 @@ using namespace glm;
 #include "shaders/lib/camera_ray.glsl"
 #include "shaders/lib/cell_cubic.glsl"
 #include "shaders/lib/clearance.glsl"
+#include "shaders/lib/disc_light.glsl"
 #include "shaders/lib/ray_box.glsl"
 }  // namespace glsl
 
@@ -221,6 +222,36 @@ TEST(ShaderMath, BeyondABorderOnlyTheOctantsThatEnterThereOpen) {
         EXPECT_FLOAT_EQ(got, 0.25F + 0.75F * open) << "octant " << octant << " axis " << axis << " beyond by " << f;
       }
     }
+  }
+}
+
+// Mean of max(N . w, 0) over a disc by the midpoint rule, N at that angle from its centre.
+double meanCosine(double angle, double radius) {
+  constexpr int kSteps = 400;
+  double sum = 0, weights = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = radius * (i + 0.5) / kSteps, weight = std::sin(t);
+    weights += weight * kSteps;
+    for (int j = 0; j < kSteps; ++j) {
+      const double turn = M_PI * (j + 0.5) / kSteps;
+      const double cosine = std::cos(angle) * std::cos(t) + std::sin(angle) * std::sin(t) * std::cos(turn);
+      sum += weight * std::max(cosine, 0.0);
+    }
+  }
+  return sum / weights;
+}
+
+TEST(ShaderMath, DiscCosineIsTheMeanOverTheDisc) {
+  // For discs from a hundredth of a degree to a hemisphere, above, across and below the horizon: to 2e-5, which
+  // covers the error of the double integral that it is compared with, and the rounding of float over the disc's radius.
+  for (const double degrees : {0.01, 0.25, 2.0, 15.0, 60.0, 89.0, 90.0}) {
+    const double radius = glm::radians(degrees);
+    for (int i = 0; i <= 12; ++i)
+      for (const double aside : {0.0, 0.3 * radius, -0.7 * radius}) {
+        const double angle = std::clamp(M_PI * i / 12 + aside, 0.0, M_PI);
+        const float got = glsl::discCosine(static_cast<float>(std::cos(angle)), static_cast<float>(radius));
+        ASSERT_NEAR(got, meanCosine(angle, radius), 2e-5 + 1e-7 / radius) << degrees << " at " << angle;
+      }
   }
 }
 

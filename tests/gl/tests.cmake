@@ -8,6 +8,7 @@ isolume_test(test_gl
   ${gl}/determinism_test.cpp
   ${gl}/edge_case_test.cpp
   ${gl}/gl_scene.cpp
+  ${gl}/lights_test.cpp
   ${gl}/sampling_test.cpp
   ${gl}/shader_source_test.cpp
   ${gl}/octant_light_test.cpp
