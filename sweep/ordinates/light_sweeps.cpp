@@ -77,7 +77,7 @@ DiscLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radius
     visible[i] /= static_cast<float>(ordinates);
   });
   rays.surface().fillUnknown(shares, known);
-  return {{rays.surface().spread(shares), 1}, std::move(visible)};
+  return {{rays.surface().spread(shares, &known), 1}, std::move(visible)};
 }
 
 float coneAngle(float meanLength) { return (1 - std::max(0.0F, 2 * meanLength - 1)) * std::numbers::pi_v<float> / 2; }

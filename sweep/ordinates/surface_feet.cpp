@@ -110,12 +110,14 @@ SurfaceFoot SurfaceFeet::footOf(glm::ivec3 at) const {
   return {glm::vec3(footPosition(at, normal)), glm::vec3(normal)};
 }
 
-std::uint16_t SurfaceFeet::insideValue(glm::ivec3 at, GridView<const std::uint16_t> values) const {
+std::uint16_t SurfaceFeet::insideValue(glm::ivec3 at, GridView<const std::uint16_t> values,
+                                       const std::vector<std::uint8_t>* known) const {
   // Even an outside corner with no weight counts a little: there may be none but such.
   constexpr float kLeastWeight = 1e-3F;
   float sum = 0, weights = 0;
   const auto add = [&](glm::ivec3 sample, float weight) {
     if (!hasFoot_.test(sample.x, sample.y, sample.z)) return;
+    if (known && (*known)[footNumber(sample)] == 0) return;
     sum += weight * static_cast<float>(values(sample.x, sample.y, sample.z));
     weights += weight;
   };
@@ -132,7 +134,7 @@ std::uint16_t SurfaceFeet::insideValue(glm::ivec3 at, GridView<const std::uint16
   // since it is no cap, some have a foot: it is next to the surface.
   if (weights == 0)
     for (int i = 0; i < 27; ++i) add(at + glm::ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), 1);
-  return static_cast<std::uint16_t>(std::lround(sum / weights));
+  return weights == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>(std::lround(sum / weights));
 }
 
 std::uint32_t SurfaceFeet::footNumber(glm::ivec3 at) const {
@@ -199,7 +201,8 @@ void SurfaceFeet::fillUnknown(std::vector<std::uint16_t>& values, const std::vec
   });
 }
 
-void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values) const {
+void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values,
+                         const std::vector<std::uint8_t>* known) const {
   const auto layers = static_cast<std::size_t>(level_.size.z);
   parallelFor(layers, [&](std::size_t layer) {
     const int z = static_cast<int>(layer);
@@ -210,13 +213,16 @@ void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<st
   parallelFor(layers, [&](std::size_t layer) {
     const int z = static_cast<int>(layer);
     for (int y = 0; y < level_.size.y; ++y)
-      forEachBit(inside_.row(y, z), inside_.words(), [&](int x) { values(x, y, z) = insideValue({x, y, z}, values); });
+      forEachBit(inside_.row(y, z), inside_.words(), [&](int x) {
+        values(x, y, z) = insideValue({x, y, z}, values, known);
+      });
   });
 }
 
-Grid<std::uint16_t> SurfaceFeet::spread(const std::vector<std::uint16_t>& openness) const {
+Grid<std::uint16_t> SurfaceFeet::spread(const std::vector<std::uint16_t>& openness,
+                                        const std::vector<std::uint8_t>* known) const {
   Grid<std::uint16_t> values(level_.size, level_.spacing, level_.origin);
-  spread(openness, values.view());
+  spread(openness, values.view(), known);
   return values;
 }
 

@@ -49,9 +49,12 @@ class SurfaceFeet {
 
   /// values[sample] = openness[foot] at outside samples and on caps; interpolated at inside samples next to the
   /// surface; 0 elsewhere. Threaded.
-  void spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values) const;
-  /// The same in a grid of its own: 2 bytes per voxel.
-  Grid<std::uint16_t> spread(const std::vector<std::uint16_t>& openness) const;
+  void spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values,
+              const std::vector<std::uint8_t>* known = nullptr) const;
+  /// The same in a grid of its own: 2 bytes per voxel. With `known`, inside samples take nothing from feet with
+  /// known[foot] = 0 (on the far side of a thin wall, say): from what of the 26 around is known, or 0.
+  Grid<std::uint16_t> spread(const std::vector<std::uint16_t>& openness,
+                             const std::vector<std::uint8_t>* known = nullptr) const;
 
  private:
   glm::dvec3 normalAt(glm::ivec3 at) const;
@@ -59,7 +62,8 @@ class SurfaceFeet {
   SurfaceFoot footOf(glm::ivec3 at) const;
   std::uint32_t footNumber(glm::ivec3 at) const;
   std::uint32_t nearestFoot(glm::ivec3 at) const;
-  std::uint16_t insideValue(glm::ivec3 at, GridView<const std::uint16_t> values) const;
+  std::uint16_t insideValue(glm::ivec3 at, GridView<const std::uint16_t> values,
+                            const std::vector<std::uint8_t>* known) const;
   void markRow(int y, int z);
   template <class Visit>
   void forEachFoot(int y, int z, const Visit& visit) const;
