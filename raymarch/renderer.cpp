@@ -20,6 +20,7 @@
 #include "program.h"
 #include "program_variants.h"
 #include "scene_textures.h"
+#include "screen/screen_pass.h"
 #include "sweep/parallel.h"
 #include "view.h"
 
@@ -42,6 +43,7 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.normals == NormalSource::distance && scene.distance.name() == 0) {
     throw GpuError("render: expected a distance texture for normals from the distance, found a scene without it");
   }
+  if (settings.screen) return;
   if (settings.shading == Shading::octants && !scene.hasOctants()) {
     throw GpuError("render: expected octants for shading by them, found a scene without them");
   }
@@ -114,6 +116,7 @@ struct Renderer::Impl {
   SceneTextures scene;
   Framebuffer framebuffer;
   BeamPass beams;
+  std::unique_ptr<ScreenPass> screen;  // made with the first picture that needs it
 
   Impl() {
     glNamedBufferStorage(uniformBuffer.name(), sizeof(shader::FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
@@ -183,6 +186,33 @@ struct Renderer::Impl {
     }
     glDisablei(GL_BLEND, 0);
   }
+
+  void drawTiles(const shader::FrameUniforms& uniforms, const RenderSettings& settings, const ScreenTarget& target) {
+    const glm::ivec2 size = settings.size;
+    const int tileWidth = std::min(size.x, kTileWidth);
+    const glm::ivec2 tile(tileWidth, std::min(size.y, kTilePixels / tileWidth));
+    framebuffer.reserve(tile, settings.layers);
+    bindInputs(uniforms, settings.shading);
+    for (int y = 0; y < size.y; y += tile.y) {
+      for (int x = 0; x < size.x; x += tile.x) {
+        const glm::ivec2 extent = glm::min(tile, size - glm::ivec2(x, y));
+        drawTile(glm::vec2(x, y) - 0.5f * glm::vec2(size), extent, settings, uniforms.background);
+        const std::size_t start =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+        framebuffer.read(Attachment::color, extent, &target.color[start], size.x);
+        if (!settings.layers) continue;
+        framebuffer.read(Attachment::normal, extent, &target.normals[start], size.x);
+        framebuffer.read(Attachment::position, extent, &target.positions[start], size.x);
+      }
+    }
+  }
+
+  void drawScreen(const shader::FrameUniforms& uniforms, const Camera& camera, const RenderSettings& settings,
+                  const ScreenTarget& target) {
+    bindInputs(uniforms, Shading::local);
+    if (!screen) screen = std::make_unique<ScreenPass>();
+    screen->draw(camera, settings, uniforms, scene, beams, target);
+  }
 };
 
 Renderer::Renderer(Context&) : impl_(std::make_unique<Impl>()) {}
@@ -192,6 +222,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
+  if (impl_->screen) impl_->screen->forgetScene();
   impl_->scene = uploadScene(fields);
   if (impl_->scene.hasOctants() && !impl_->geometryTerms[0]) impl_->geometryTerms = uploadGeometryTerms();
   // The one that such a scene is for.
@@ -214,29 +245,18 @@ Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Fra
   frame.color.resize(count);
   std::vector<glm::vec4> normals(settings.layers ? count : 0), positions(settings.layers ? count : 0);
 
-  const int tileWidth = std::min(size.x, kTileWidth);
-  const glm::ivec2 tile(tileWidth, std::min(size.y, kTilePixels / tileWidth));
-  impl_->framebuffer.reserve(tile, settings.layers);
-  impl_->bindInputs(uniforms, settings.shading);
-  for (int y = 0; y < size.y; y += tile.y) {
-    for (int x = 0; x < size.x; x += tile.x) {
-      const glm::ivec2 extent = glm::min(tile, size - glm::ivec2(x, y));
-      impl_->drawTile(glm::vec2(x, y) - 0.5f * glm::vec2(size), extent, settings, uniforms.background);
-      const std::size_t start =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-      impl_->framebuffer.read(Attachment::color, extent, &frame.color[start], size.x);
-      if (!settings.layers) continue;
-      impl_->framebuffer.read(Attachment::normal, extent, &normals[start], size.x);
-      impl_->framebuffer.read(Attachment::position, extent, &positions[start], size.x);
-    }
-  }
+  if (settings.screen)
+    impl_->drawScreen(uniforms, camera, settings, {frame.color, normals, positions});
+  else
+    impl_->drawTiles(uniforms, settings, {frame.color, normals, positions});
   checkGl("frame");
   if (settings.samples > 1) {
     const float share = 1 / static_cast<float>(settings.samples);
     for (glm::vec4& color : frame.color) color *= share;
   }
   if (settings.layers)
-    fillLayers(frame, normals, positions, camera, impl_->scene.frame, settings.shading != Shading::local);
+    fillLayers(frame, normals, positions, camera, impl_->scene.frame,
+               settings.screen || settings.shading != Shading::local);
   return frame;
 } catch (const std::bad_alloc&) {
   throw GpuError(fmt::format("image: not enough memory for {}x{} pixels", settings.size.x, settings.size.y));

@@ -6,10 +6,12 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "camera.h"
 #include "context.h"
+#include "screen/screen_occlusion.h"
 #include "sweep/geometry_terms.h"
 #include "sweep/grid.h"
 
@@ -42,8 +44,9 @@ struct RenderSettings {
       0;                ///< octants are read that far above the hit along the normal, index space; 0 is [Singh10]
   float gamma = 1;      ///< colour = albedo * A^(1 / gamma) ([Singh10] Sec. 2 uses 2)
   glm::vec3 albedo{1};  ///< linear
-  glm::vec4 background{1, 1, 1, 1};  ///< linear, not premultiplied; alpha 0 = transparent
-  bool layers = false;               ///< also fill ambient, normal, position, depth
+  glm::vec4 background{1, 1, 1, 1};            ///< linear, not premultiplied; alpha 0 = transparent
+  std::optional<ScreenOcclusion> screen = {};  ///< light from the screen in place of `shading`; screen/screen_pass.h
+  bool layers = false;                         ///< also fill ambient, normal, position, depth
 };
 
 /// Row-major, top row first. Colour is linear and premultiplied. Layers are taken at the centre of the pixel, never

@@ -6,6 +6,7 @@
 #include "src/cli/option_builder.h"
 #include "src/cli/parse_value.h"
 #include "src/cli/picture_options.h"
+#include "src/cli/screen_options.h"
 #include "src/cli/surface_options.h"
 
 namespace isolume {
@@ -19,15 +20,13 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
   OcclusionRequest& occlusion = job.occlusion;
   group.value(
       "--occlusion", "METHOD",
-      [&occlusion](const std::string& option, const std::string& text) {
-        occlusion.method = parseChoice<OcclusionMethod>(option, text,
-                                                        {{"singh10", OcclusionMethod::singh10},
-                                                         {"octants", OcclusionMethod::octants},
-                                                         {"ordinates", OcclusionMethod::ordinates},
-                                                         {"none", OcclusionMethod::none}});
+      [&job](const std::string& option, const std::string& text) {
+        parseOcclusion(option, text, job.occlusion, job.screen);
       },
       "ordinates: ambient occlusion by many directions;\nsingh10: by eight octant sweeps, as published;\n"
-      "octants: the same, read above the surface;\nnone: a head light, nothing swept (default: ordinates)");
+      "octants: the same, read above the surface;\nnone: a head light, nothing swept;\n"
+      "from the screen: crytek, hbao, gtao, bitmask,\ngpu-sphere, gpu-hemisphere, gpu-importance, gpu-tangent,\n"
+      "gpu-disk, szirmay10-containment, szirmay10-volumetric,\nloos10-point, loos10-line (default: ordinates)");
   group.value(
       "--quality", "LEVEL",
       [&occlusion](const std::string& option, const std::string& text) {
@@ -115,6 +114,7 @@ void addRenderOptions(CLI::App& app, RenderJob& job) {
   addPictureOptions(app, job);
   addCameraOptions(app, job.camera);
   addShadingOptions(app, job);
+  addScreenOptions(app, job.screen);
   Choices<std::string> backends{{"auto", "auto"}};
   std::string list = "auto";
   for (const std::string_view name : backendNames()) {
@@ -140,6 +140,7 @@ void checkRenderOptions(const RenderJob& job) {
   if (ending == ".exr" && job.bitDepth)
     throw UsageError(fmt::format("--bit-depth: expected a .png (an .exr holds 32-bit floats), found '{}'", job.output));
   chooseOcclusion(job.occlusion);
+  checkScreenRequest(job.screen, givenOption(job.occlusion));
   if (job.occlusion.method == OcclusionMethod::none && job.layers.ambient)
     throw UsageError("--layers: expected no 'ambient' with --occlusion none, which computes no openness");
 }

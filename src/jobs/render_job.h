@@ -11,6 +11,7 @@
 #include "src/jobs/color.h"
 #include "src/jobs/occlusion_method.h"
 #include "src/jobs/run_options.h"
+#include "src/jobs/screen_request.h"
 #include "src/jobs/surface.h"
 
 namespace isolume {
@@ -30,6 +31,7 @@ struct RenderJob {
   /// seconds that a whole job may take on two cores.
   int samples = 1;
   OcclusionRequest occlusion;
+  ScreenRequest screen;  ///< with an estimator: light from the screen, and `occlusion` says nothing
   NormalSource normals = NormalSource::data;
   double gamma = 1;
   /// Light grey, so that an open surface stands out from the white page of a figure.

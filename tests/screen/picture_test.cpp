@@ -1,0 +1,284 @@
+// Pictures whose light comes from the screen, on the GPU: closed forms, and what must not change them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "gl/gl_scene.h"
+#include "raymarch/gpu_error.h"
+
+namespace isolume::test {
+namespace {
+
+constexpr double kRadius = 8;  // voxels, spacing 1
+
+RenderSettings screenSettings(ScreenEstimator estimator, glm::ivec2 size = {200, 160}) {
+  RenderSettings settings = layerSettings(size.x, size.y);
+  settings.screen = ScreenOcclusion{.estimator = estimator, .radiusWorld = kRadius, .samples = 16};
+  return settings;
+}
+
+/// A floor below z = 20.3 and a wall beyond x = 40.6.
+constexpr double kFloorHeight = 20.3, kWallX = 40.6;
+GlScene makeRoom() {
+  return makeScene({64, 64, 64}, glm::dvec3(1),
+                   [](glm::dvec3 p) { return std::min(p.z - kFloorHeight, kWallX - p.x); });
+}
+/// Sees floor and wall, everything else being beyond the picture.
+Camera roomCamera(double roll = 0) {
+  Camera camera;
+  camera.target = {36, 32, 22};
+  camera.eye = camera.target + glm::dvec3(-60, -50, 70);
+  camera.rollDegrees = roll;
+  camera.fovDegrees = 20;
+  return camera;
+}
+
+class Pictures : public ::testing::Test {
+ protected:
+  Frame draw(const GlScene& scene, const Camera& camera, const RenderSettings& settings) {
+    renderer_.upload(scene.fields());
+    return renderer_.render(camera, settings);
+  }
+  std::unique_ptr<Context> context_ = makeContext("osmesa");
+  Renderer renderer_{*context_};
+};
+
+/// Largest and root mean square difference to a closed form, over the pixels that it holds for.
+struct Differences {
+  double largest = 0, square = 0;
+  int count = 0;
+  void add(double difference) {
+    largest = std::max(largest, std::abs(difference));
+    square += difference * difference;
+    ++count;
+  }
+  double rms() const { return std::sqrt(square / count); }
+};
+
+TEST_F(Pictures, ConvexSolidIsOpen) {
+  // A tilted plane, cut by the box, occludes nowhere: each estimator that gives 1 on a plane gives 1 at every pixel, in
+  // perspective and at a coarse resolution, and so does the crytek ball its half. Tolerance: pixels at the edges, whose
+  // smooth normals lean over.
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(0.4, -0.3, 0.8));
+  const GlScene scene = makeScene({48, 48, 48}, glm::dvec3(1),
+                                  [&](glm::dvec3 p) { return glm::dot(p - glm::dvec3(24, 24, 20), normal); });
+  for (const ScreenEstimator estimator : screenEstimators()) {
+    const Frame frame = draw(scene, frameScene(scene), screenSettings(estimator, {100, 80}));
+    Differences flat;
+    for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+      const glm::vec3 p = frame.position[i];
+      if (!std::isfinite(frame.depth[i]) || glm::dot(glm::dvec3(frame.normal[i]), normal) < 0.9999) continue;
+      const bool inside = std::min({p.x, p.y, 47 - p.x, 47 - p.y, p.z, 47 - p.z}) > kRadius;
+      if (estimator != ScreenEstimator::crytek)
+        flat.add(frame.ambient[i] - 1);
+      else if (inside)
+        flat.add(frame.ambient[i] - 0.5);
+    }
+    ASSERT_GT(flat.count, 500);
+    EXPECT_LT(flat.largest, estimator == ScreenEstimator::crytek ? 0.03 : 2e-3) << screenEstimatorName(estimator);
+  }
+}
+
+/// Floor pixels at least a fifth of a radius from the wall, where they are told from it, and away from the border.
+template <class Truth>
+Differences floorDifferences(const Frame& frame, Truth truth) {
+  Differences differences;
+  for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+    const int x = static_cast<int>(i) % frame.size.x, y = static_cast<int>(i) / frame.size.x;
+    const int border = std::min({x, y, frame.size.x - 1 - x, frame.size.y - 1 - y});
+    const double a = (kWallX - frame.position[i].x) / kRadius;
+    if (border < frame.size.x / 5 || frame.normal[i].z < 0.999 || a < 0.2) continue;
+    differences.add(frame.ambient[i] - truth(a));
+  }
+  return differences;
+}
+
+double volumetricTruth(double a) {
+  const double h = std::max(0.0, 0.5 - a);  // of the cap that the wall cuts from the tangent sphere
+  return 1 - 2 * h * h * (1.5 - h);
+}
+
+TEST_F(Pictures, FloorBeforeAWall) {
+  // On a floor before a wall volumetric ambient occlusion is the tangent sphere less a cap, by all three characteristic
+  // functions, of which the z-buffer and the implicit one know the wall as it is; a height field that ends at the
+  // wall's top does as well. 16 pipes in a pattern of 16 leave an error of about a percent.
+  const GlScene scene = makeRoom();
+  for (const Characteristic surface :
+       {Characteristic::zBuffer, Characteristic::heightField, Characteristic::implicit}) {
+    RenderSettings settings = screenSettings(ScreenEstimator::szirmayVolumetric);
+    settings.screen->surface = surface;
+    const Frame frame = draw(scene, roomCamera(), settings);
+    const Differences differences = floorDifferences(frame, volumetricTruth);
+    ASSERT_GT(differences.count, 1000);
+    EXPECT_LT(differences.rms(), 0.02) << static_cast<int>(surface);
+    EXPECT_LT(differences.largest, 0.08) << static_cast<int>(surface);
+  }
+}
+
+TEST_F(Pictures, GtaoBeforeAWall) {
+  // The horizons of a floor before a wall leave open what does not project to the strip of the unit disk beyond a:
+  // 1 - (acos a - a sqrt(1 - a^2)) / pi. With 256 samples the steps see the wall's top to a few percent, from below.
+  const GlScene scene = makeRoom();
+  RenderSettings settings = screenSettings(ScreenEstimator::gtao);
+  settings.screen->samples = 256;
+  const Frame frame = draw(scene, roomCamera(), settings);
+  const Differences differences = floorDifferences(
+      frame, [](double a) { return a < 1 ? 1 - (std::acos(a) - a * std::sqrt(1 - a * a)) / std::numbers::pi : 1.0; });
+  ASSERT_GT(differences.count, 1000);
+  EXPECT_LT(differences.rms(), 0.04);
+}
+
+double meanAmbient(const Frame& frame) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+    if (!std::isfinite(frame.depth[i])) continue;
+    sum += frame.ambient[i];
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST_F(Pictures, ResolutionDoesNotMatter) {
+  // The radius is a length of the world: the mean openness of a picture is that of one with four times the pixels.
+  // Tolerance: a pixel row along each silhouette and edge, where the mean over fewer pixels is a coarser sum.
+  const GlScene scene = makeRoom();
+  for (const ScreenEstimator estimator : screenEstimators())
+    EXPECT_NEAR(meanAmbient(draw(scene, roomCamera(), screenSettings(estimator, {120, 120}))),
+                meanAmbient(draw(scene, roomCamera(), screenSettings(estimator, {240, 240}))), 0.01)
+        << screenEstimatorName(estimator);
+}
+
+TEST_F(Pictures, RollTurnsThePicture) {
+  // A camera that rolls by a quarter turn gives the same picture turned, beyond the noise of the samples: the pattern
+  // does not turn with it.
+  const GlScene scene = makeRoom();
+  constexpr int kSide = 160;
+  for (const ScreenEstimator estimator : screenEstimators()) {
+    RenderSettings settings = screenSettings(estimator, {kSide, kSide});
+    settings.screen->samples = 64;
+    const Frame upright = draw(scene, roomCamera(), settings);
+    const Frame rolled = draw(scene, roomCamera(90), settings);
+    Differences differences;
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x) {
+        // The camera turns clockwise, the picture the other way: right becomes up.
+        const auto from = static_cast<std::size_t>(y * kSide + x);
+        const auto to = static_cast<std::size_t>((kSide - 1 - x) * kSide + y);
+        if (upright.depth[from] == rolled.depth[to]) continue;  // both see nothing
+        ASSERT_NEAR(upright.depth[from], rolled.depth[to], 1e-3);
+        differences.add(upright.ambient[from] - rolled.ambient[to]);
+      }
+    }
+    EXPECT_LT(differences.rms(), 0.02) << screenEstimatorName(estimator);
+  }
+}
+
+TEST_F(Pictures, LayersAreThoseOfAnyPicture) {
+  // Position, depth and normal have the bits that the march without the screen gives: the G-buffer is the same trace.
+  const GlScene scene = makeSphere();
+  const Camera camera = frameScene(scene);
+  const Frame local = draw(scene, camera, layerSettings());
+  RenderSettings settings = layerSettings();
+  settings.screen = ScreenOcclusion{.radiusWorld = kRadius};
+  const Frame screen = draw(scene, camera, settings);
+  const auto same = [](const auto& a, const auto& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+  };
+  EXPECT_TRUE(same(local.position, screen.position));
+  EXPECT_TRUE(same(local.normal, screen.normal));
+  EXPECT_TRUE(same(local.depth, screen.depth));
+  ASSERT_EQ(screen.ambient.size(), screen.depth.size());
+}
+
+TEST_F(Pictures, ColourIsAlbedoTimesOpenness) {
+  // The colour of a pixel is albedo * openness^(1 / gamma), and the background where nothing is hit; with several
+  // samples a pixel on the silhouette is a mean of both.
+  const GlScene scene = makeSphere();
+  const Camera camera = frameScene(scene);
+  RenderSettings settings = screenSettings(ScreenEstimator::crytek);
+  settings.albedo = {0.5f, 0.25f, 1};
+  settings.gamma = 2;
+  settings.background = {0, 1, 0, 0.5f};
+  const Frame frame = draw(scene, camera, settings);
+  for (std::size_t i = 0; i < frame.color.size(); ++i) {
+    const bool hit = std::isfinite(frame.depth[i]);
+    const float light = std::sqrt(frame.ambient[i]);
+    const glm::vec4 want = hit ? glm::vec4(settings.albedo * light, 1) : glm::vec4(0, 0.5f, 0, 0.5f);
+    ASSERT_LT(glm::distance(frame.color[i], want), 1e-5) << i;
+  }
+  settings.samples = 8;
+  const Frame smooth = draw(scene, camera, settings);
+  int between = 0;
+  for (const glm::vec4& color : smooth.color) between += color.a > 0.51f && color.a < 0.99f ? 1 : 0;
+  EXPECT_GT(between, 50);
+}
+
+TEST_F(Pictures, FilterTakesThePatternAway) {
+  // Pixels of a pattern differ by what their samples make of the same place; the filter averages over exactly one
+  // period, so on a flat wall seen in parallel nothing of the pattern is left. Without a pattern there is none.
+  GlScene scene = makeRoom();
+  Camera camera = roomCamera();
+  camera.projection = Projection::orthographic;
+  camera.heightWorld = 40;
+  const auto roughness = [](const Frame& frame) {  // of neighbours along rows, on the floor near the wall
+    Differences differences;
+    for (std::size_t i = 0; i + 1 < frame.ambient.size(); ++i) {
+      const bool flat = frame.normal[i].z > 0.999 && frame.normal[i + 1].z > 0.999;
+      if (flat && frame.position[i].x > kWallX - 0.5 * kRadius)
+        differences.add(frame.ambient[i] - frame.ambient[i + 1]);
+    }
+    return differences.rms();
+  };
+  RenderSettings settings = screenSettings(ScreenEstimator::szirmayContainment);
+  const double filtered = roughness(draw(scene, camera, settings));
+  settings.screen->filter = false;
+  const double plain = roughness(draw(scene, camera, settings));
+  settings.screen->interleaving = 1;
+  const double same = roughness(draw(scene, camera, settings));
+  EXPECT_LT(filtered, plain / 3);
+  EXPECT_LT(same, plain);
+}
+
+TEST_F(Pictures, SecondRadiusMultiplies) {
+  // With a second radius loos10 is the product of the openness within each; with the same radius twice, the square.
+  const GlScene scene = makeRoom();
+  for (const ScreenEstimator estimator : {ScreenEstimator::loosLine, ScreenEstimator::loosPoint}) {
+    RenderSettings settings = screenSettings(estimator);
+    settings.screen->filter = false;
+    const Frame once = draw(scene, roomCamera(), settings);
+    settings.screen->secondRadius = 1;
+    const Frame twice = draw(scene, roomCamera(), settings);
+    for (std::size_t i = 0; i < once.ambient.size(); ++i)
+      ASSERT_NEAR(twice.ambient[i], once.ambient[i] * once.ambient[i], 1e-5);
+  }
+}
+
+TEST_F(Pictures, SettingsThatCannotBeDrawn) {
+  // A radius, a number of samples, a pattern, a thickness or a membership that makes no sense is a GpuError of one
+  // line.
+  const GlScene scene = makeSphere(16, 5);
+  renderer_.upload(scene.fields());
+  const auto expectError = [&](auto change, const char* text) {
+    RenderSettings settings = screenSettings(ScreenEstimator::gpuSphere);
+    change(*settings.screen);
+    try {
+      renderer_.render(frameScene(scene), settings);
+      ADD_FAILURE() << "no error: " << text;
+    } catch (const GpuError& error) {
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
+  };
+  expectError([](ScreenOcclusion& s) { s.radiusWorld = 0; }, "a radius above 0, found 0");
+  expectError([](ScreenOcclusion& s) { s.samples = 257; }, "1 to 256 samples, found 257");
+  expectError([](ScreenOcclusion& s) { s.interleaving = 0; }, "a pattern of side 1 to 8, found 0");
+  expectError([](ScreenOcclusion& s) { s.thicknessWorld = -1; }, "a thickness above 0, found -1");
+  expectError([](ScreenOcclusion& s) { s.secondRadius = 0; }, "a second radius above 0, found 0");
+  expectError([](ScreenOcclusion& s) { s.membership = Membership::classical; }, "a membership function");
+}
+
+}  // namespace
+}  // namespace isolume::test
