@@ -12,6 +12,7 @@ const std::vector<ProgramVariant>& programVariants() {
       {"march_local", "shaders/fullscreen.vert", "shaders/march_local.frag"},
       {"march_octants", "shaders/fullscreen.vert", "shaders/march_octants.frag"},
       {"march_openness", "shaders/fullscreen.vert", "shaders/march_openness.frag"},
+      {"screen_area", "shaders/fullscreen.vert", "shaders/screen/area.frag"},
       {"screen_bitmask", "shaders/fullscreen.vert", "shaders/screen/bitmask.frag"},
       {"screen_composite", "shaders/fullscreen.vert", "shaders/screen/composite.frag"},
       {"screen_disk", "shaders/fullscreen.vert", "shaders/screen/disk.frag"},
@@ -20,6 +21,7 @@ const std::vector<ProgramVariant>& programVariants() {
       {"screen_hbao", "shaders/fullscreen.vert", "shaders/screen/hbao.frag"},
       {"screen_heights", "shaders/fullscreen.vert", "shaders/screen/heights.frag"},
       {"screen_line", "shaders/fullscreen.vert", "shaders/screen/line.frag"},
+      {"screen_moments", "shaders/fullscreen.vert", "shaders/screen/moments.frag"},
       {"screen_points", "shaders/fullscreen.vert", "shaders/screen/points.frag"},
       {"screen_volumetric", "shaders/fullscreen.vert", "shaders/screen/volumetric.frag"},
   };

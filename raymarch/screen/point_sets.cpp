@@ -77,6 +77,22 @@ std::vector<glm::dvec3> poissonBall(int count, std::uint64_t seed) {
   return points;
 }
 
+std::vector<glm::dvec2> randomDisk(int count, std::uint64_t seed) {
+  constexpr std::uint64_t kOwn = 1;  // other numbers than those that place the points of the other sets
+  Random random(mixBits(seed) + kOwn);
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i < count; ++i) points.emplace_back(uniformPoint(random, true));
+  return points;
+}
+
+std::vector<double> randomNumbers(int count, std::uint64_t seed) {
+  constexpr std::uint64_t kOwn = 2;
+  Random random(mixBits(seed) + kOwn);
+  std::vector<double> numbers(static_cast<std::size_t>(count));
+  for (double& each : numbers) each = random();
+  return numbers;
+}
+
 std::vector<double> shuffledStrata(int count, std::uint64_t seed) {
   Random random(seed);
   std::vector<double> strata(static_cast<std::size_t>(count));

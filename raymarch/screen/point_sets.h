@@ -17,7 +17,11 @@ namespace isolume {
 std::vector<glm::dvec2> poissonDisk(int count, std::uint64_t seed = 0);
 std::vector<glm::dvec3> poissonBall(int count, std::uint64_t seed = 0);
 
-/// The same without the change of radii: where another order is to come.
+/// Independent ones: points of the disk, and numbers in [0, 1).
+std::vector<glm::dvec2> randomDisk(int count, std::uint64_t seed = 0);
+std::vector<double> randomNumbers(int count, std::uint64_t seed = 0);
+
+/// Poisson-disk points without the change of radii: where another order is to come.
 std::vector<glm::dvec3> scatteredPoints(int count, bool flat, std::uint64_t seed);
 
 /// (i + 1/2) / count in an order that does not follow i: a further coordinate for the points of a set.

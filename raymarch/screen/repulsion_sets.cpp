@@ -171,7 +171,7 @@ double weightSpread(const std::vector<WeighedPoint>& points) {
 const std::vector<WeighedPoint>& repulsionBall(int count) { return cachedSet(count, kBall, false); }
 
 const std::vector<WeighedPoint>& repulsionDisk(int count) {
-  constexpr std::array<int, 5> kCentred{5, 7, 9, 13, 16};
+  constexpr std::array<int, 6> kCentred{1, 5, 7, 9, 13, 16};
   return cachedSet(count, kDisk, std::find(kCentred.begin(), kCentred.end(), count) != kCentred.end());
 }
 

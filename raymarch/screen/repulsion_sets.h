@@ -21,7 +21,7 @@ struct WeighedPoint {
 };
 
 const std::vector<WeighedPoint>& repulsionBall(int count);
-/// With the centre as one of the points where the paper found that better: 5, 7, 9, 13 and 16.
+/// With the centre as one of the points where the paper found that better, 5, 7, 9, 13 and 16, and as the only one.
 const std::vector<WeighedPoint>& repulsionDisk(int count);
 
 /// Root of the mean square of (weight * count - 1): how far from equal the regions are.

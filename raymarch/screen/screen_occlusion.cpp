@@ -26,6 +26,8 @@ const char* screenEstimatorName(ScreenEstimator estimator) {
       return "loos10-point";
     case ScreenEstimator::loosLine:
       return "loos10-line";
+    case ScreenEstimator::loosArea:
+      return "loos10-area";
     case ScreenEstimator::gtao:
       return "gtao";
     case ScreenEstimator::bitmask:
@@ -41,12 +43,12 @@ std::array<ScreenEstimator, kScreenEstimators> screenEstimators() {
 }
 
 bool readsCharacteristic(ScreenEstimator estimator) {
-  return estimator != ScreenEstimator::hbao && estimator != ScreenEstimator::gtao &&
-         estimator != ScreenEstimator::bitmask;
+  return estimator != ScreenEstimator::loosArea && estimator != ScreenEstimator::hbao &&
+         estimator != ScreenEstimator::gtao && estimator != ScreenEstimator::bitmask;
 }
 
 bool readsThickness(const ScreenOcclusion& settings) {
-  if (settings.estimator == ScreenEstimator::bitmask) return true;
+  if (settings.estimator == ScreenEstimator::bitmask || settings.estimator == ScreenEstimator::loosArea) return true;
   return readsCharacteristic(settings.estimator) && settings.surface == Characteristic::zBuffer;
 }
 
@@ -79,7 +81,8 @@ bool readsNormalisation(ScreenEstimator estimator) {
 }
 
 bool isLoos10(ScreenEstimator estimator) {
-  return estimator == ScreenEstimator::loosPoint || estimator == ScreenEstimator::loosLine;
+  return estimator == ScreenEstimator::loosPoint || estimator == ScreenEstimator::loosLine ||
+         estimator == ScreenEstimator::loosArea;
 }
 
 }  // namespace isolume

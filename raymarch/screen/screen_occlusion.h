@@ -5,19 +5,20 @@
 // function each (shaders/screen). What no pixel shows they cannot know: beyond the picture nothing is solid, and behind
 // the surface that is seen everything is, or a given thickness.
 //
-//   crytek                the share of the ball that is outside, by points: an open plane gives 1/2      [Mittring07]
-//   hbao                  horizons, attenuated by 1 - r / R, no cosine of the normal                     [Bavoil08]
-//   gpu-sphere            O of mu(r) by points, evenly in the ball [SzirmayGpu] 4.1 gpu-hemisphere        the same in
-//   its half above the tangent plane                                   [SzirmayGpu] 4.2 gpu-importance directions by
-//   the cosine, distances by d mu / dr                               [SzirmayGpu] 4.3 gpu-tangent           points
-//   evenly in the tangent sphere, for the cosine                            [SzirmayGpu] 4.4 gpu-disk pipes across the
-//   ball, mu = (r / R)^4                                          [SzirmayGpu] 4.5 szirmay10-containment gpu-importance
-//   with Poisson-disk samples                                       [Szirmay10] Eq. 5 szirmay10-volumetric  the share
-//   of the tangent sphere that is outside, by pipes; mu = (r / R)^3      [Szirmay10] Eq. 7 loos10-point          the
-//   share of the ball, or its upper half, by points with Voronoi weights       [Loos10] Sec. 4 loos10-line the same by
-//   lines                                                              [Loos10] Sec. 4.1 gtao                  horizons
-//   with the cosine of the normal; every occluder within R counts         [Jimenez16] bitmask               the same in
-//   sectors, with a thickness                                          [Therrien23]
+//   crytek                the share of the ball that is outside, by points: 1/2 on a plane  [Mittring07]
+//   hbao                  horizons, attenuated by 1 - r / R, no cosine of the normal        [Bavoil08]
+//   gpu-sphere            O of mu(r) by points, evenly in the ball                          [SzirmayGpu] 4.1
+//   gpu-hemisphere        the same in its half above the tangent plane                      [SzirmayGpu] 4.2
+//   gpu-importance        random directions by the cosine, distances by d mu / dr           [SzirmayGpu] 4.3
+//   gpu-tangent           points evenly in the tangent sphere, for the cosine               [SzirmayGpu] 4.4
+//   gpu-disk              pipes across the ball, mu = (r / R)^4                             [SzirmayGpu] 4.5
+//   szirmay10-containment gpu-importance with Poisson-disk samples                          [Szirmay10] Eq. 5
+//   szirmay10-volumetric  the share of the tangent sphere that is outside, by pipes         [Szirmay10] Eq. 7
+//   loos10-point          the share of the ball, or its upper half, by weighed points       [Loos10] Sec. 4
+//   loos10-line           the same by lines                                                 [Loos10] Sec. 4.1
+//   loos10-area           the same by lines that know how depths spread around them         [Loos10] Sec. 4.2
+//   gtao                  horizons with the cosine; every occluder within R counts          [Jimenez16]
+//   bitmask               the same in sectors, with a thickness                             [Therrien23]
 // gpu-tangent departs from the paper, whose sum is 2 * integral of mu over [0, 1] on an open plane (1/2 for mu = r^3, 1
 // for mu = r): here it is divided by that.
 #pragma once
@@ -43,10 +44,11 @@ enum class ScreenEstimator {
   szirmayVolumetric,
   loosPoint,
   loosLine,
+  loosArea,
   gtao,
   bitmask,
 };
-inline constexpr int kScreenEstimators = 13;
+inline constexpr int kScreenEstimators = 14;
 
 /// Which points are outside ([Szirmay10] Fig. 2); the values are those of shaders/screen/characteristic.glsl.
 enum class Characteristic {

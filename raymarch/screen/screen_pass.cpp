@@ -19,7 +19,8 @@ namespace isolume {
 namespace {
 
 // Units and bindings as in the shaders.
-constexpr GLuint kDepthUnit = 0, kNormalUnit = 1, kLightUnit = 2, kLevelUnit = 3, kHeightUnit = 4, kBeamUnit = 7;
+constexpr GLuint kDepthUnit = 0, kNormalUnit = 1, kLightUnit = 2, kLevelUnit = 3, kHeightUnit = 4, kMomentUnit = 5,
+                 kBeamUnit = 7;
 constexpr GLuint kScreenBinding = 1, kSampleBinding = 2;
 constexpr int kTriangle = 3;
 
@@ -130,6 +131,13 @@ void ScreenPass::makeHeights(const SceneTextures& scene) {
   drawPass("screen_heights", framebufferOf({&heights_}), columns);
 }
 
+void ScreenPass::makeMoments() {
+  moments_.reserve(images_.size);
+  drawPass("screen_moments", moments_.target(), images_.size);
+  moments_.average();
+  glBindTextureUnit(kMomentUnit, moments_.texture());
+}
+
 void ScreenPass::drawGBuffer(glm::vec2 sampleOffset, BeamPass& beams, const SceneTextures& scene) {
   constexpr GLint kPixelOrigin = 0;
   constexpr glm::vec4 kNothing(0), kNoDepth(shader::kNothingSeen);
@@ -155,6 +163,7 @@ GLuint ScreenPass::drawLight(const ScreenPlan& plan, bool filtered, const SceneT
   glBindTextureUnit(kNormalUnit, images_.normal.name());
   glBindTextureUnit(kLevelUnit, scene.level.name());
   glBindTextureUnit(kHeightUnit, heights_.name());
+  if (plan.moments) makeMoments();
   drawPass(plan.program, images_.estimate, images_.size);
   if (!filtered) return images_.light.name();
   glBindTextureUnit(kLightUnit, images_.light.name());

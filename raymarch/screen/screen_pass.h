@@ -19,6 +19,7 @@
 #include "raymarch/gl_objects.h"
 #include "raymarch/renderer.h"
 #include "raymarch/scene_textures.h"
+#include "raymarch/screen/depth_moments.h"
 #include "raymarch/screen/screen_plan.h"
 
 namespace isolume {
@@ -52,6 +53,7 @@ class ScreenPass {
   void makeHeights(const SceneTextures& scene);
   void drawGBuffer(glm::vec2 sampleOffset, BeamPass& beams, const SceneTextures& scene);
   void drawPass(const std::string& name, const GlFramebuffer& target, glm::ivec2 size);
+  void makeMoments();
   /// Light of one sample; returns the texture that holds it.
   GLuint drawLight(const ScreenPlan& plan, bool filtered, const SceneTextures& scene);
 
@@ -59,6 +61,7 @@ class ScreenPass {
   GlBuffer screenBuffer_ = GlBuffer::create(), sampleBuffer_ = GlBuffer::create();
   GlTexture heights_;  ///< R32F, one texel per column: 4 B each
   Images images_;
+  DepthMoments moments_;  ///< of loos10-area
 };
 
 }  // namespace isolume

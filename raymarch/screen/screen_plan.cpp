@@ -52,9 +52,11 @@ Weighed tangentPoint(glm::dvec3 p, const ScreenOcclusion& settings) {
           kVolumeOverPi * membershipSlope(settings.membership, std::sqrt(square)) / square / settings.samples / open};
 }
 
+/// [SzirmayGpu] Sec. 4.3 draws its numbers independently, [Szirmay10] Eq. 5 takes Poisson-disk samples.
 std::vector<Weighed> importancePoints(const ScreenOcclusion& settings) {
-  const std::vector<glm::dvec2> disk = poissonDisk(settings.samples);
-  const std::vector<double> strata = shuffledStrata(settings.samples);
+  const bool independent = settings.estimator == ScreenEstimator::gpuImportance;
+  const std::vector<glm::dvec2> disk = independent ? randomDisk(settings.samples) : poissonDisk(settings.samples);
+  const std::vector<double> strata = independent ? randomNumbers(settings.samples) : shuffledStrata(settings.samples);
   std::vector<Weighed> points;
   for (std::size_t i = 0; i < disk.size(); ++i) {
     const glm::dvec3 direction(disk[i], std::sqrt(1 - glm::dot(disk[i], disk[i])));
@@ -118,7 +120,7 @@ std::vector<glm::vec4> pointSamples(const ScreenOcclusion& settings) {
 
 std::vector<glm::vec4> diskSamples(const ScreenOcclusion& settings) {
   std::vector<glm::dvec4> samples;
-  if (settings.estimator == ScreenEstimator::loosLine) {
+  if (isLoos10(settings.estimator)) {
     for (const WeighedPoint& each : repulsionDisk(settings.samples)) {
       const double half = std::sqrt(1 - glm::dot(each.point, each.point));
       samples.emplace_back(each.point.x, each.point.y, half, each.weight / (2 * half));
@@ -143,19 +145,21 @@ glm::ivec2 marchCounts(ScreenEstimator estimator, int samples) {
 ScreenPlan planScreen(const ScreenOcclusion& settings) {
   switch (settings.estimator) {
     case ScreenEstimator::hbao:
-      return {"screen_hbao", {}, marchCounts(settings.estimator, settings.samples)};
+      return {"screen_hbao", {}, marchCounts(settings.estimator, settings.samples), false};
     case ScreenEstimator::gtao:
-      return {"screen_gtao", {}, marchCounts(settings.estimator, settings.samples)};
+      return {"screen_gtao", {}, marchCounts(settings.estimator, settings.samples), false};
     case ScreenEstimator::bitmask:
-      return {"screen_bitmask", {}, marchCounts(settings.estimator, settings.samples)};
+      return {"screen_bitmask", {}, marchCounts(settings.estimator, settings.samples), false};
     case ScreenEstimator::szirmayVolumetric:
-      return {"screen_volumetric", diskSamples(settings), {}};
+      return {"screen_volumetric", diskSamples(settings), {}, false};
     case ScreenEstimator::gpuDisk:
-      return {"screen_disk", diskSamples(settings), {}};
+      return {"screen_disk", diskSamples(settings), {}, false};
+    case ScreenEstimator::loosArea:
+      return {"screen_area", diskSamples(settings), {}, true};
     case ScreenEstimator::loosLine:
-      return {"screen_line", diskSamples(settings), {}};
+      return {"screen_line", diskSamples(settings), {}, false};
     default:
-      return {"screen_points", pointSamples(settings), {}};
+      return {"screen_points", pointSamples(settings), {}, false};
   }
 }
 

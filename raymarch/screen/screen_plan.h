@@ -14,6 +14,7 @@ struct ScreenPlan {
   std::string program;             ///< of program_variants.h
   std::vector<glm::vec4> samples;  ///< as the program's estimator reads them; none for those that march
   glm::ivec2 march{0};             ///< directions, and steps along each; 0 where there are samples
+  bool moments = false;            ///< whether it reads the moments of the depths (depth_moments.h)
 };
 
 ScreenPlan planScreen(const ScreenOcclusion& settings);

@@ -24,7 +24,9 @@ shader::ScreenUniforms makeScreenUniforms(const shader::FrameUniforms& frame, co
       glm::dvec4(0.5 * glm::dvec2(size) - glm::dvec2(sampleOffset), pixel, frame.eye.w > 0 ? 1 / depth : 0);
   uniforms.toX = glm::dvec4(axesFromWorld * axes.right, thickness);
   uniforms.toY = glm::dvec4(axesFromWorld * -axes.up, settings.secondRadius.value_or(0));
-  uniforms.depthRow = glm::dvec4(forward * grid.spacing / radius, 0);
+  // The grid's centre lies on the plane or behind it, by less than its size.
+  const double farSide = 2 * glm::length(glm::dvec3(frame.gridSize) * grid.spacing) / radius;
+  uniforms.depthRow = glm::dvec4(forward * grid.spacing / radius, farSide);
   uniforms.indexX = glm::dvec4(gridFromWorld * (axes.right * radius), 0);
   uniforms.indexY = glm::dvec4(gridFromWorld * (axes.up * -radius), 0);
   uniforms.indexZ = glm::dvec4(gridFromWorld * (axes.forward * radius), 0);

@@ -8,6 +8,8 @@
 //   float outside(vec3 p)                  the characteristic function: 1 outside the solid, 0 inside
 //   OuterParts outerParts(vec2 at, float near, float far)   the part outside of a line along z
 //   float seenThickness()                  how far what is seen reaches behind its front
+//   DepthSpread depthSpread(vec2 at, float share)  of the depths in a circle about `at` with that share of the unit
+//                                          disk's area; for area.glsl alone
 //   vec3 seenPoint(vec3 p)                 the point of the surface on the line through p along z, or one far behind p
 //                                          if there is none
 struct Shaded {
@@ -20,6 +22,12 @@ struct Shaded {
 struct OuterParts {
   vec2 front;
   vec2 back;
+};
+
+// Mean and standard deviation of depths.
+struct DepthSpread {
+  float mean;
+  float deviation;
 };
 
 vec2 turnedBy(vec2 turn, float x, float y) { return vec2(turn.x * x - turn.y * y, turn.y * x + turn.x * y); }

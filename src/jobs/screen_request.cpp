@@ -89,10 +89,11 @@ void checkScreenRequest(const ScreenRequest& request, const char* other) {
   needReader(request.surface.has_value(), readsCharacteristic(found), "--surface",
              "an estimator of points or lines beside it", found);
   needReader(request.thickness.has_value(), readsThickness(screen), "--ao-thickness",
-             "an estimator of points or lines with --surface zbuffer, or bitmask", found);
-  needReader(request.clampedToTangent.has_value(), isLoos10(found), "--ao-clamp", "loos10-point or loos10-line", found);
-  needReader(request.secondRadius.has_value(), isLoos10(found), "--ao-second-radius", "loos10-point or loos10-line",
-             found);
+             "an estimator of points or lines with --surface zbuffer, loos10-area or bitmask", found);
+  needReader(request.clampedToTangent.has_value(), isLoos10(found), "--ao-clamp",
+             "loos10-point, loos10-line or loos10-area", found);
+  needReader(request.secondRadius.has_value(), isLoos10(found), "--ao-second-radius",
+             "loos10-point, loos10-line or loos10-area", found);
   needReader(request.normalisedBySamples.has_value(), readsNormalisation(found), "--ao-normalisation",
              "an estimator whose sum is divided by anything but the number of samples", found);
   if (request.filter == true && screen.interleaving == 1)

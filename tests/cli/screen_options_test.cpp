@@ -74,7 +74,7 @@ TEST(ScreenOptions, RefusedInOneLine) {
       {{"--occlusion", "gtao", "--surface", "implicit"}, "--surface: expected an estimator of points or lines"},
       {{"--occlusion", "hbao", "--ao-thickness", "1"}, "--ao-thickness: expected"},
       {{"--occlusion", "crytek", "--surface", "implicit", "--ao-thickness", "1"}, "--ao-thickness: expected"},
-      {{"--occlusion", "gpu-disk", "--ao-clamp", "off"}, "--ao-clamp: expected loos10-point or loos10-line"},
+      {{"--occlusion", "gpu-disk", "--ao-clamp", "off"}, "--ao-clamp: expected loos10-point, loos10-line or loos10-area"},
       {{"--occlusion", "crytek", "--ao-second-radius", "2"}, "--ao-second-radius: expected loos10-point"},
       {{"--occlusion", "crytek", "--ao-normalisation", "exact"}, "--ao-normalisation: expected"},
       {{"--occlusion", "hbao", "--quality", "best"}, "--quality: expected with openness by sweeps, found --occlusion"},

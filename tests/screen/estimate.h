@@ -20,6 +20,8 @@ inline float estimateOnce(ScreenEstimator estimator, const glsl::Shaded& shaded)
       return glsl::volumetricOpenness(shaded);
     case ScreenEstimator::gpuDisk:
       return glsl::diskOpenness(shaded);
+    case ScreenEstimator::loosArea:
+      return glsl::areaOpenness(shaded, 1);
     case ScreenEstimator::loosLine:
       return glsl::lineOpenness(shaded, 1);
     default:

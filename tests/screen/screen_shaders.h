@@ -45,8 +45,26 @@ inline OuterParts outerParts(vec2 at, float near, float far) {
   return partsAround(asked.depth(at.x, at.y), asked.thickness, near, far);
 }
 
+/// Of a square of that area, by a grid of its points.
+inline DepthSpread depthSpread(vec2 at, float share) {
+  const int kSide = 8;
+  const float kPi = 3.141592654f;
+  const float side = std::sqrt(kPi * share);
+  float sum = 0, squares = 0;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const float x = (static_cast<float>(i % kSide) + 0.5f) / kSide - 0.5f;
+    const float y = (static_cast<float>(i / kSide) + 0.5f) / kSide - 0.5f;
+    const float depth = asked.depth(at.x + side * x, at.y + side * y);
+    sum += depth;
+    squares += depth * depth;
+  }
+  const float mean = sum / (kSide * kSide);
+  return DepthSpread{mean, std::sqrt(max(squares / (kSide * kSide) - mean * mean, 0.0f))};
+}
+
 #include "shaders/screen/horizon.glsl"
 
+#include "shaders/screen/area.glsl"
 #include "shaders/screen/bitmask.glsl"
 #include "shaders/screen/disk.glsl"
 #include "shaders/screen/gtao.glsl"
