@@ -4,4 +4,4 @@ isolume_test(test_screen
   ${screen}/picture_test.cpp
   ${screen}/point_sets_test.cpp
   ${screen}/../gl/gl_scene.cpp
-  LIBS isolume_raymarch isolume_sweep)
+  LIBS isolume_raymarch isolume_sweep isolume_volumes)
