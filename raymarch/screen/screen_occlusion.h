@@ -71,7 +71,8 @@ struct ScreenOcclusion {
   bool normalisedBySamples = true;  ///< the sampled volume in place of the exact one ([Szirmay10] below Eq. 7)
   bool clampedToTangent = true;     ///< loos10: half the ball, above the tangent plane ([Loos10] Sec. 4.4)
   std::optional<double> thicknessWorld = {};  ///< z-buffer: solids end that far behind what is seen; none: never
-  std::optional<double> secondRadius = {};    ///< loos10: the product with that of another radius, in radii
+  bool indirect = false;  ///< what is closed receives the neighbourhood's mean radiance ([SzirmayGpu] Sec. 2)
+  std::optional<double> secondRadius = {};  ///< loos10: the product with that of another radius, in radii
 };
 
 const char* screenEstimatorName(ScreenEstimator estimator);

@@ -20,7 +20,7 @@ namespace {
 
 // Units and bindings as in the shaders.
 constexpr GLuint kDepthUnit = 0, kNormalUnit = 1, kLightUnit = 2, kLevelUnit = 3, kHeightUnit = 4, kMomentUnit = 5,
-                 kBeamUnit = 7;
+                 kRadianceUnit = 6, kBeamUnit = 7;
 constexpr GLuint kScreenBinding = 1, kSampleBinding = 2;
 constexpr int kTriangle = 3;
 
@@ -115,6 +115,20 @@ void ScreenPass::reserve(glm::ivec2 size, bool layers) {
   checkGl("screen-space images");
 }
 
+void ScreenPass::reserveIndirect() {
+  if (images_.radiance) return;
+  images_.radiance = makeTexture2D("radiance", images_.size, kRGBA32F, GL_NEAREST, nullptr);
+  images_.filteredRadiance = makeTexture2D("radiance", images_.size, kRGBA32F, GL_NEAREST, nullptr);
+  images_.indirect = framebufferOf({&images_.radiance});
+  images_.filterIndirect = framebufferOf({&images_.filteredRadiance});
+}
+
+void ScreenPass::setSamples(const std::vector<glm::vec4>& samples) {
+  if (samples.empty()) return;
+  glNamedBufferSubData(sampleBuffer_.name(), 0, static_cast<GLsizeiptr>(samples.size() * sizeof(glm::vec4)),
+                       samples.data());
+}
+
 void ScreenPass::drawPass(const std::string& name, const GlFramebuffer& target, glm::ivec2 size) {
   glUseProgram(program(name).name());
   bindTarget(target, size);
@@ -171,6 +185,17 @@ GLuint ScreenPass::drawLight(const ScreenPlan& plan, bool filtered, const SceneT
   return images_.filtered.name();
 }
 
+void ScreenPass::drawIndirect(const ScreenOcclusion& settings, bool filtered) {
+  reserveIndirect();
+  setSamples(indirectSamples(settings));
+  drawPass("screen_indirect", images_.indirect, images_.size);
+  if (filtered) {
+    glBindTextureUnit(kLightUnit, images_.radiance.name());
+    drawPass("screen_filter", images_.filterIndirect, images_.size);
+  }
+  glBindTextureUnit(kRadianceUnit, filtered ? images_.filteredRadiance.name() : images_.radiance.name());
+}
+
 void ScreenPass::draw(const Camera& camera, const RenderSettings& settings, const shader::FrameUniforms& frame,
                       const SceneTextures& scene, BeamPass& beams, const ScreenTarget& target) {
   const ScreenOcclusion& occlusion = settings.screen.value();
@@ -179,9 +204,6 @@ void ScreenPass::draw(const Camera& camera, const RenderSettings& settings, cons
   const bool filtered = occlusion.filter && occlusion.interleaving > 1;
   reserve(settings.size, settings.layers);
   if (readsCharacteristic(occlusion.estimator) && occlusion.surface == Characteristic::heightField) makeHeights(scene);
-  if (!plan.samples.empty())
-    glNamedBufferSubData(sampleBuffer_.name(), 0, static_cast<GLsizeiptr>(plan.samples.size() * sizeof(glm::vec4)),
-                         plan.samples.data());
   glBindBufferBase(GL_UNIFORM_BUFFER, kScreenBinding, screenBuffer_.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, kSampleBinding, sampleBuffer_.name());
   for (int i = 0; i < settings.samples; ++i) {
@@ -189,9 +211,17 @@ void ScreenPass::draw(const Camera& camera, const RenderSettings& settings, cons
     const shader::ScreenUniforms uniforms =
         makeScreenUniforms(frame, camera, scene.frame, settings.size, offset, occlusion, plan);
     glNamedBufferSubData(screenBuffer_.name(), 0, sizeof(uniforms), &uniforms);
+    setSamples(plan.samples);
     drawGBuffer(offset, beams, scene);
     const GLuint light = drawLight(plan, filtered, scene);
     glBindTextureUnit(kLightUnit, light);
+    if (occlusion.indirect) {
+      shader::ScreenUniforms around = uniforms;
+      around.size.z = occlusion.samples;
+      glNamedBufferSubData(screenBuffer_.name(), 0, sizeof(around), &around);
+      drawIndirect(occlusion, filtered);
+      glBindTextureUnit(kLightUnit, light);
+    }
     if (i > 0) glEnablei(GL_BLEND, 0);
     drawPass("screen_composite", images_.composite, settings.size);
     glDisablei(GL_BLEND, 0);

@@ -1,8 +1,8 @@
 // Pictures whose light comes from the screen: G-buffer, estimator, filter, composite.
 //
 // The passes go over the whole picture, since estimators look at neighbours: per pixel 84 B with layers (depth 4,
-// normal 16, light 2 x 16, colour 16, position 16), all on the GPU, and no picture is larger than a texture may be.
-// Draws are cut into bands so that none blocks for long.
+// normal 16, light 2 x 16, colour 16, position 16) and 32 B more for light from the neighbourhood, all on the GPU, and
+// no picture is larger than a texture may be. Draws are cut into bands so that none blocks for long.
 //
 // Each anti-aliasing sample is a picture of its own, moved by a part of a pixel, with a G-buffer, light and filter of
 // its own; the colours are averaged. Layers, and the light in them, are those of the centres of the pixels. Nothing is
@@ -43,7 +43,8 @@ class ScreenPass {
  private:
   struct Images {
     GlTexture depth, normal, position, light, filtered, color;
-    GlFramebuffer gbuffer, estimate, filter, composite;
+    GlTexture radiance, filteredRadiance;  ///< with light from the neighbourhood alone
+    GlFramebuffer gbuffer, estimate, filter, composite, indirect, filterIndirect;
     glm::ivec2 size{0};
     bool layers = false;
   };
@@ -54,6 +55,10 @@ class ScreenPass {
   void drawGBuffer(glm::vec2 sampleOffset, BeamPass& beams, const SceneTextures& scene);
   void drawPass(const std::string& name, const GlFramebuffer& target, glm::ivec2 size);
   void makeMoments();
+  void reserveIndirect();
+  void setSamples(const std::vector<glm::vec4>& samples);
+  /// After the light, which is bound; leaves its own texture bound.
+  void drawIndirect(const ScreenOcclusion& settings, bool filtered);
   /// Light of one sample; returns the texture that holds it.
   GLuint drawLight(const ScreenPlan& plan, bool filtered, const SceneTextures& scene);
 

@@ -136,6 +136,12 @@ std::vector<glm::vec4> diskSamples(const ScreenOcclusion& settings) {
   return {samples.begin(), samples.end()};
 }
 
+std::vector<glm::vec4> indirectSamples(const ScreenOcclusion& settings) {
+  std::vector<glm::vec4> samples;
+  for (const glm::dvec2& p : poissonDisk(settings.samples)) samples.emplace_back(p, 0, 0);
+  return samples;
+}
+
 glm::ivec2 marchCounts(ScreenEstimator estimator, int samples) {
   const int sides = estimator == ScreenEstimator::hbao ? 1 : 2;
   const int directions = std::max(1, static_cast<int>(std::lround(std::sqrt(samples / sides))));

@@ -29,6 +29,9 @@ std::vector<glm::vec4> pointSamples(const ScreenOcclusion& settings);
 /// Points of the unit disk: x, y, half chord, weight (volumetric.glsl, disk.glsl, line.glsl).
 std::vector<glm::vec4> diskSamples(const ScreenOcclusion& settings);
 
+/// Points of the disk in which light from the neighbourhood is looked for: x, y.
+std::vector<glm::vec4> indirectSamples(const ScreenOcclusion& settings);
+
 /// d mu / dr at r in (0, 1), and the r at which mu is `share`. Not for exponential, the first not for classical.
 double membershipSlope(Membership membership, double r);
 double membershipInverse(Membership membership, double share);

@@ -33,7 +33,7 @@ shader::ScreenUniforms makeScreenUniforms(const shader::FrameUniforms& frame, co
   uniforms.toZ = glm::dvec4(forward, glm::length(glm::dvec3(uniforms.indexZ)));
   uniforms.size = glm::ivec4(size, static_cast<int>(plan.samples.size()), settings.interleaving);
   uniforms.modes = glm::ivec4(static_cast<int>(settings.surface), settings.normalisedBySamples ? 1 : 0,
-                              settings.clampedToTangent ? 1 : 0, 0);
+                              settings.clampedToTangent ? 1 : 0, settings.indirect ? 1 : 0);
   uniforms.march = glm::ivec4(plan.march, 0, 0);
   return uniforms;
 }

@@ -14,7 +14,8 @@ struct ScreenUniforms {
   vec4 indexY;
   vec4 indexZ;
   ivec4 size;       // xy: pixels of the picture; z: samples; w: side of the interleaving pattern
-  ivec4 modes;      // x: characteristic function; y: 1 normalised by the samples; z: 1 clamped to the tangent plane
+  ivec4 modes;      // x: characteristic function; y: 1 normalised by the samples; z: 1 clamped to the tangent plane;
+                    // w: 1 with light from the neighbourhood
   ivec4 march;      // x: directions; y: steps along each
 };
 

@@ -77,6 +77,12 @@ void addSamplingOptions(OptionGroup& group, ScreenRequest& screen) {
       },
       "loos10: on or off: only what lies above the tangent\nplane (default: on)");
   group.value(
+      "--indirect", "SWITCH",
+      [&screen](const std::string& option, const std::string& text) {
+        screen.indirect = parseChoice(option, text, kSwitch);
+      },
+      "on or off: what is closed receives the mean light of\nwhat it faces nearby, with its colour (default: off)");
+  group.value(
       "--ao-second-radius", "SHARE",
       [&screen](const std::string& option, const std::string& text) {
         screen.secondRadius = parsePositive(option, text);

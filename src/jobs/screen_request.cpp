@@ -25,6 +25,7 @@ std::vector<Given> givenOptions(const ScreenRequest& r) {
           {"--ao-filter", r.filter.has_value()},
           {"--ao-normalisation", r.normalisedBySamples.has_value()},
           {"--ao-clamp", r.clampedToTangent.has_value()},
+          {"--indirect", r.indirect.has_value()},
           {"--ao-thickness", r.thickness.has_value()},
           {"--ao-second-radius", r.secondRadius.has_value()}};
 }
@@ -41,6 +42,7 @@ ScreenOcclusion settingsOf(const ScreenRequest& request) {
   screen.filter = request.filter.value_or(screen.filter);
   screen.normalisedBySamples = request.normalisedBySamples.value_or(screen.normalisedBySamples);
   screen.clampedToTangent = request.clampedToTangent.value_or(screen.clampedToTangent);
+  screen.indirect = request.indirect.value_or(screen.indirect);
   screen.thicknessWorld = request.thickness;
   screen.secondRadius = request.secondRadius;
   return screen;
@@ -137,6 +139,7 @@ nlohmann::ordered_json screenSettings(const ScreenOcclusion& screen) {
   if (readsNormalisation(screen.estimator))
     settings["ao-normalisation"] = screen.normalisedBySamples ? "sampled" : "exact";
   if (isLoos10(screen.estimator)) settings["ao-clamp"] = screen.clampedToTangent ? "on" : "off";
+  if (screen.indirect) settings["indirect"] = "on";
   if (screen.thicknessWorld) settings["ao-thickness"] = *screen.thicknessWorld;
   if (screen.secondRadius) settings["ao-second-radius"] = *screen.secondRadius;
   return settings;

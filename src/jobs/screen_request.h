@@ -21,6 +21,7 @@ struct ScreenRequest {
   std::optional<bool> filter = {};
   std::optional<bool> normalisedBySamples = {};
   std::optional<bool> clampedToTangent = {};
+  std::optional<bool> indirect = {};
   std::optional<double> thickness = {};     ///< world units
   std::optional<double> secondRadius = {};  ///< share of the radius
 };

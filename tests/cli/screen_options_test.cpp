@@ -33,7 +33,7 @@ TEST(ScreenOptions, EveryOptionReachesTheSettings) {
   const RenderJob line = parse({"--occlusion",        "loos10-line", "--ao-radius",  "2.5", "--ao-samples",   "7",
                                 "--surface",          "zbuffer",     "--interleave", "3",   "--ao-filter",    "off",
                                 "--ao-normalisation", "exact",       "--ao-clamp",   "off", "--ao-thickness", "0.5",
-                                "--ao-second-radius", "0.25"});
+                                "--ao-second-radius", "0.25",        "--indirect",   "on"});
   const ScreenOcclusion screen = chooseScreen(line.screen, box({1, 2, 3})).value();
   EXPECT_EQ(screen.estimator, ScreenEstimator::loosLine);
   EXPECT_EQ(screen.radiusWorld, 2.5);
@@ -43,6 +43,7 @@ TEST(ScreenOptions, EveryOptionReachesTheSettings) {
   EXPECT_FALSE(screen.filter);
   EXPECT_FALSE(screen.normalisedBySamples);
   EXPECT_FALSE(screen.clampedToTangent);
+  EXPECT_TRUE(screen.indirect);
   EXPECT_EQ(screen.thicknessWorld, 0.5);
   EXPECT_EQ(screen.secondRadius, 0.25);
   const RenderJob points =
@@ -74,7 +75,8 @@ TEST(ScreenOptions, RefusedInOneLine) {
       {{"--occlusion", "gtao", "--surface", "implicit"}, "--surface: expected an estimator of points or lines"},
       {{"--occlusion", "hbao", "--ao-thickness", "1"}, "--ao-thickness: expected"},
       {{"--occlusion", "crytek", "--surface", "implicit", "--ao-thickness", "1"}, "--ao-thickness: expected"},
-      {{"--occlusion", "gpu-disk", "--ao-clamp", "off"}, "--ao-clamp: expected loos10-point, loos10-line or loos10-area"},
+      {{"--occlusion", "gpu-disk", "--ao-clamp", "off"},
+       "--ao-clamp: expected loos10-point, loos10-line or loos10-area"},
       {{"--occlusion", "crytek", "--ao-second-radius", "2"}, "--ao-second-radius: expected loos10-point"},
       {{"--occlusion", "crytek", "--ao-normalisation", "exact"}, "--ao-normalisation: expected"},
       {{"--occlusion", "hbao", "--quality", "best"}, "--quality: expected with openness by sweeps, found --occlusion"},

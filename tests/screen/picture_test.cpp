@@ -319,6 +319,33 @@ TEST_F(Pictures, SecondRadiusMultiplies) {
   }
 }
 
+TEST_F(Pictures, NeighboursLightWhatIsClosed) {
+  // With light from the neighbourhood a pixel's light is O + L (1 - O), L being albedo times the openness of what it
+  // faces, so that with an albedo of half as much green as red L has half as much green; a convex solid faces nothing
+  // and keeps its picture to the last bit, and so does the openness everywhere.
+  RenderSettings plain = screenSettings(ScreenEstimator::szirmayVolumetric);
+  plain.albedo = {1, 0.5f, 0.25f};
+  RenderSettings lit = plain;
+  lit.screen->indirect = true;
+  const GlScene room = makeRoom();
+  const Frame closed = draw(room, roomCamera(), plain), open = draw(room, roomCamera(), lit);
+  int lighted = 0;
+  for (std::size_t i = 0; i < open.color.size(); ++i) {
+    ASSERT_EQ(open.ambient[i], closed.ambient[i]);
+    if (!std::isfinite(open.depth[i])) continue;
+    const glm::vec3 gained = glm::vec3(open.color[i] - closed.color[i]) / plain.albedo;
+    ASSERT_GE(gained.r, 0);
+    ASSERT_LE(gained.r, 1 - open.ambient[i] + 1e-6f);
+    ASSERT_NEAR(gained.g, gained.r / 2, 1e-6);
+    ASSERT_NEAR(gained.b, gained.r / 4, 1e-6);
+    lighted += gained.r > 0.05f ? 1 : 0;
+  }
+  EXPECT_GT(lighted, 100);
+  const GlScene ball = makeSphere();
+  const Frame dark = draw(ball, frameScene(ball), plain), same = draw(ball, frameScene(ball), lit);
+  EXPECT_EQ(std::memcmp(dark.color.data(), same.color.data(), dark.color.size() * sizeof(glm::vec4)), 0);
+}
+
 TEST_F(Pictures, SettingsThatCannotBeDrawn) {
   // A radius, a number of samples, a pattern, a thickness or a membership that makes no sense is a GpuError of one
   // line.
