@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "screen/estimate.h"
 
@@ -120,6 +121,20 @@ TEST(ScreenClosedForm, WallAtADistance) {
       for (const double a : {0.1, 0.3, 0.6})
         EXPECT_NEAR(estimate(settings, edge(a), view), wallTruth(settings, a), setError(settings))
             << screenEstimatorName(settings.estimator) << " at " << a << " from " << view.x;
+}
+
+TEST(ScreenClosedForm, ExactNormalisationIsTheSame) {
+  // Divided by the exact volume or light in place of the sampled one, each estimator that reads the choice gives the
+  // same integral.
+  for (ScreenOcclusion settings : allEstimators()) {
+    if (!readsNormalisation(settings.estimator)) continue;
+    settings.normalisedBySamples = false;
+    // gpu-sphere: half of its samples lie below the surface, and the cosines of the others scatter.
+    const double tolerance = settings.estimator == ScreenEstimator::gpuSphere ? 3 * kSetError : kSetError;
+    for (const glm::dvec3& view : kViews)
+      EXPECT_NEAR(estimate(settings, edge(0.3), view), wallTruth(settings, 0.3), tolerance)
+          << screenEstimatorName(settings.estimator);
+  }
 }
 
 TEST(ScreenClosedForm, EveryMembership) {

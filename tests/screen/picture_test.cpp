@@ -346,6 +346,78 @@ TEST_F(Pictures, NeighboursLightWhatIsClosed) {
   EXPECT_EQ(std::memcmp(dark.color.data(), same.color.data(), dark.color.size() * sizeof(glm::vec4)), 0);
 }
 
+/// A floor, and a step of height 4 beyond x = 40.6, seen from behind the step: its riser is hidden.
+GlScene makeStep() {
+  return makeScene({64, 64, 64}, glm::dvec3(1), [](glm::dvec3 p) {
+    return std::min(p.z - kFloorHeight, std::max(kWallX - p.x, p.z - kFloorHeight - 4));
+  });
+}
+Camera stepCamera() {
+  Camera camera;
+  camera.target = {36, 32, 22};
+  camera.eye = camera.target + glm::dvec3(50, 0, 90);
+  camera.fovDegrees = 15;
+  return camera;
+}
+
+TEST_F(Pictures, WhatFacesAwayLightsNothing) {
+  // The floor has the top of the step in its neighbourhood, above its tangent plane, but the top does not face it:
+  // nothing is lighted, to the last bit.
+  RenderSettings plain = screenSettings(ScreenEstimator::szirmayVolumetric);
+  RenderSettings lit = plain;
+  lit.screen->indirect = true;
+  const GlScene scene = makeStep();
+  const Frame dark = draw(scene, stepCamera(), plain), same = draw(scene, stepCamera(), lit);
+  for (std::size_t i = 0; i < dark.color.size(); ++i)
+    if (dark.normal[i].z > 0.999) {
+      ASSERT_EQ(dark.color[i], same.color[i]);
+    }
+}
+
+TEST_F(Pictures, FilterKeepsSurfacesApart) {
+  // Along the edge of the step its open top and the dark floor behind it are neighbours in the picture, with the same
+  // normal: the filter mixes none of the dark into the top.
+  // A coarse picture and a large pattern, so that windows reach over the voxel along the edge whose normals lean.
+  RenderSettings settings = screenSettings(ScreenEstimator::szirmayVolumetric, {100, 80});
+  settings.screen->interleaving = 8;
+  const Frame frame = draw(makeStep(), stepCamera(), settings);
+  int top = 0, dark = 0;
+  for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+    if (frame.normal[i].z < 0.999) continue;
+    const bool onTop = frame.position[i].z > kFloorHeight + 2;
+    if (onTop) {
+      ASSERT_GT(frame.ambient[i], 0.998);
+    }
+    top += onTop ? 1 : 0;
+    dark += !onTop && frame.ambient[i] < 0.95 ? 1 : 0;
+  }
+  EXPECT_GT(top, 500);
+  EXPECT_GT(dark, 100);
+}
+
+TEST_F(Pictures, UnderACeiling) {
+  // Between floor and ceiling the lines through the tangent sphere leave the solid of the ceiling as they go away from
+  // the eye: by the implicit function the sphere less the cap that the ceiling cuts is open.
+  constexpr double kGap = 6;
+  const GlScene scene = makeScene({64, 64, 64}, glm::dvec3(1),
+                                  [](glm::dvec3 p) { return std::min(p.z - kFloorHeight, kFloorHeight + kGap - p.z); });
+  Camera camera;
+  camera.target = {32, 32, kFloorHeight};
+  camera.eye = camera.target + glm::dvec3(0, -95, 5.5);
+  camera.fovDegrees = 20;
+  RenderSettings settings = screenSettings(ScreenEstimator::szirmayVolumetric);
+  settings.screen->surface = Characteristic::implicit;
+  const Frame frame = draw(scene, camera, settings);
+  Differences differences;
+  for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+    const glm::vec3 p = frame.position[i];
+    if (frame.normal[i].z > 0.999 && std::min({p.x, p.y, 63 - p.x, 63 - p.y}) > kRadius)
+      differences.add(frame.ambient[i] - volumetricTruth(kGap / kRadius - 0.5));
+  }
+  ASSERT_GT(differences.count, 200);
+  EXPECT_LT(differences.largest, 0.03);
+}
+
 TEST_F(Pictures, SettingsThatCannotBeDrawn) {
   // A radius, a number of samples, a pattern, a thickness or a membership that makes no sense is a GpuError of one
   // line.
