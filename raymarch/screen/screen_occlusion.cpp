@@ -28,6 +28,8 @@ const char* screenEstimatorName(ScreenEstimator estimator) {
       return "loos10-line";
     case ScreenEstimator::loosArea:
       return "loos10-area";
+    case ScreenEstimator::ssdo:
+      return "ssdo";
     case ScreenEstimator::gtao:
       return "gtao";
     case ScreenEstimator::bitmask:

@@ -17,8 +17,10 @@
 //   loos10-point          the share of the ball, or its upper half, by weighed points       [Loos10] Sec. 4
 //   loos10-line           the same by lines                                                 [Loos10] Sec. 4.1
 //   loos10-area           the same by lines that know how depths spread around them         [Loos10] Sec. 4.2
+//   ssdo                  directions evenly, times the cosine; distances evenly: mu = r / R [Ritschel09]
 //   gtao                  horizons with the cosine; every occluder within R counts          [Jimenez16]
 //   bitmask               the same in sectors, with a thickness                             [Therrien23]
+// ssdo is drawn under an even sky, where only how much is open counts, not from where.
 // gpu-tangent departs from the paper, whose sum is 2 * integral of mu over [0, 1] on an open plane (1/2 for mu = r^3, 1
 // for mu = r): here it is divided by that.
 #pragma once
@@ -45,10 +47,11 @@ enum class ScreenEstimator {
   loosPoint,
   loosLine,
   loosArea,
+  ssdo,
   gtao,
   bitmask,
 };
-inline constexpr int kScreenEstimators = 14;
+inline constexpr int kScreenEstimators = 15;
 
 /// Which points are outside ([Szirmay10] Fig. 2); the values are those of shaders/screen/characteristic.glsl.
 enum class Characteristic {

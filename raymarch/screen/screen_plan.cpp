@@ -65,12 +65,28 @@ std::vector<Weighed> importancePoints(const ScreenOcclusion& settings) {
   return points;
 }
 
+/// [Ritschel09]: V cos dw / pi, dw = 2 pi / n, at distances that are even in [0, 1].
+std::vector<Weighed> hemispherePoints(const ScreenOcclusion& settings) {
+  const std::vector<glm::dvec2> disk = poissonDisk(settings.samples);
+  const std::vector<double> strata = shuffledStrata(settings.samples);
+  std::vector<Weighed> points;
+  for (std::size_t i = 0; i < disk.size(); ++i) {
+    // Lambert's map: equal areas of the disk and of the hemisphere.
+    const double height = 1 - glm::dot(disk[i], disk[i]);
+    const glm::dvec3 direction(disk[i] * std::sqrt(1 + height), height);
+    points.push_back({strata[i] * direction, 2 * height / settings.samples});
+  }
+  return points;
+}
+
 std::vector<Weighed> weighedPoints(const ScreenOcclusion& settings) {
   std::vector<Weighed> points;
   switch (settings.estimator) {
     case ScreenEstimator::gpuImportance:
     case ScreenEstimator::szirmayContainment:
       return importancePoints(settings);
+    case ScreenEstimator::ssdo:
+      return hemispherePoints(settings);
     case ScreenEstimator::loosPoint:
       for (const WeighedPoint& each : repulsionBall(settings.samples)) {
         glm::dvec3 p = each.point;
@@ -92,7 +108,7 @@ std::vector<Weighed> weighedPoints(const ScreenOcclusion& settings) {
 /// Where an open point gives 1, so that the weights may be scaled to that.
 bool sumsToOne(ScreenEstimator estimator) {
   return estimator == ScreenEstimator::gpuSphere || estimator == ScreenEstimator::gpuHemisphere ||
-         estimator == ScreenEstimator::gpuTangent;
+         estimator == ScreenEstimator::gpuTangent || estimator == ScreenEstimator::ssdo;
 }
 
 }  // namespace

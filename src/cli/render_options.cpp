@@ -25,7 +25,7 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
       },
       "ordinates: ambient occlusion by many directions;\nsingh10: by eight octant sweeps, as published;\n"
       "octants: the same, read above the surface;\nnone: a head light, nothing swept;\n"
-      "from the screen: crytek, hbao, gtao, bitmask,\ngpu-sphere, gpu-hemisphere, gpu-importance, gpu-tangent,\n"
+      "from the screen: crytek, hbao, gtao, bitmask, ssdo,\ngpu-sphere, gpu-hemisphere, gpu-importance, gpu-tangent,\n"
       "gpu-disk, szirmay10-containment, szirmay10-volumetric,\nloos10-point, -line, -area (default: ordinates)");
   group.value(
       "--quality", "LEVEL",

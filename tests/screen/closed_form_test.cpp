@@ -96,6 +96,8 @@ double wallTruth(const ScreenOcclusion& settings, double a) {
     case ScreenEstimator::gtao:
     case ScreenEstimator::bitmask:
       return besideWall(Membership::classical, a);
+    case ScreenEstimator::ssdo:
+      return besideWall(Membership::linear, a);
     case ScreenEstimator::gpuDisk:
       return besideWall(Membership::quartic, a);
     case ScreenEstimator::gpuTangent:

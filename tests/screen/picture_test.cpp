@@ -418,6 +418,28 @@ TEST_F(Pictures, UnderACeiling) {
   EXPECT_LT(differences.largest, 0.03);
 }
 
+TEST_F(Pictures, NothingIsLeftOfThePictureBefore) {
+  // Drawn again after pictures of other sizes, estimators, scenes and shadings, every layer has the same bits; so has
+  // the picture without the screen that is drawn between.
+  const GlScene room = makeRoom();
+  RenderSettings settings = screenSettings(ScreenEstimator::szirmayVolumetric);
+  settings.screen->surface = Characteristic::heightField;
+  settings.screen->indirect = true;
+  settings.samples = 2;
+  const Frame first = draw(room, roomCamera(), settings);
+  const Frame plain = draw(room, roomCamera(), layerSettings());
+  draw(makeSphere(), frameScene(makeSphere()), screenSettings(ScreenEstimator::loosArea, {31, 77}));
+  const Frame again = draw(room, roomCamera(), settings);
+  const Frame plainAgain = draw(room, roomCamera(), layerSettings());
+  const auto same = [](const auto& a, const auto& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+  };
+  EXPECT_TRUE(same(first.color, again.color));
+  EXPECT_TRUE(same(first.ambient, again.ambient));
+  EXPECT_TRUE(same(first.normal, again.normal));
+  EXPECT_TRUE(same(plain.color, plainAgain.color));
+}
+
 TEST_F(Pictures, SettingsThatCannotBeDrawn) {
   // A radius, a number of samples, a pattern, a thickness or a membership that makes no sense is a GpuError of one
   // line.

@@ -71,6 +71,8 @@ ScreenTruth screenTruth(const ScreenOcclusion& settings) {
     case ScreenEstimator::gtao:
     case ScreenEstimator::bitmask:
       return {ScreenIntegral::membership, Membership::classical};
+    case ScreenEstimator::ssdo:
+      return {ScreenIntegral::membership, Membership::linear};
     case ScreenEstimator::gpuDisk:
       return {ScreenIntegral::membership, Membership::quartic};
     case ScreenEstimator::szirmayVolumetric:
