@@ -29,20 +29,21 @@ void Framebuffer::reserve(glm::ivec2 size, bool layers) {
 }
 
 void Framebuffer::bind(glm::ivec2 size, bool color, bool layers) const {
-  const std::array<GLenum, 3> targets{static_cast<GLenum>(color ? GL_COLOR_ATTACHMENT0 : GL_NONE),
-                                      static_cast<GLenum>(layers ? GL_COLOR_ATTACHMENT1 : GL_NONE),
-                                      static_cast<GLenum>(layers ? GL_COLOR_ATTACHMENT2 : GL_NONE)};
+  std::array<GLenum, 4> targets{};
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    targets[i] = static_cast<GLenum>((i == 0 ? color : layers) ? GL_COLOR_ATTACHMENT0 + i : GL_NONE);
   glNamedFramebufferDrawBuffers(framebuffer_.name(), static_cast<GLsizei>(targets.size()), targets.data());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
   glViewport(0, 0, size.x, size.y);
 }
 
 void Framebuffer::clear(glm::vec4 color) const {
-  constexpr glm::vec4 kNoNormal(0, 0, 0, 1), kNoPosition(0);
+  constexpr glm::vec4 kNothing(0), kOpen(1);
   const GLuint name = framebuffer_.name();
   glClearNamedFramebufferfv(name, GL_COLOR, 0, &color[0]);
-  glClearNamedFramebufferfv(name, GL_COLOR, 1, &kNoNormal[0]);
-  glClearNamedFramebufferfv(name, GL_COLOR, 2, &kNoPosition[0]);
+  glClearNamedFramebufferfv(name, GL_COLOR, 1, &kNothing[0]);
+  glClearNamedFramebufferfv(name, GL_COLOR, 2, &kNothing[0]);
+  glClearNamedFramebufferfv(name, GL_COLOR, 3, &kOpen[0]);
 }
 
 void Framebuffer::read(Attachment attachment, glm::ivec2 tileSize, glm::vec4* destination, int imageWidth) const {

@@ -1,4 +1,4 @@
-// What a picture is drawn into, tile by tile: colour, normal + ambient and position + hit flag, all RGBA32F.
+// What a picture is drawn into, tile by tile: colour, normal, position + hit flag and light, all RGBA32F.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace isolume {
 
-enum class Attachment { color, normal, position };
+enum class Attachment { color, normal, position, light };
 
 /// Pictures are drawn in tiles, so that no draw call blocks for long and no picture is larger than a texture may be.
 inline constexpr int kTileWidth = 2048;
@@ -28,7 +28,7 @@ class Framebuffer {
 
  private:
   GlFramebuffer framebuffer_;
-  std::array<GlTexture, 3> textures_;
+  std::array<GlTexture, 4> textures_;
   glm::ivec2 size_{0};
   bool layers_ = false;
 };

@@ -9,9 +9,9 @@ const std::vector<ProgramVariant>& programVariants() {
   static const std::vector<ProgramVariant> variants{
       {"beam", "shaders/fullscreen.vert", "shaders/beam.frag"},
       {"march_gbuffer", "shaders/fullscreen.vert", "shaders/march_gbuffer.frag"},
+      {"march_lights", "shaders/fullscreen.vert", "shaders/march_lights.frag"},
       {"march_local", "shaders/fullscreen.vert", "shaders/march_local.frag"},
       {"march_octants", "shaders/fullscreen.vert", "shaders/march_octants.frag"},
-      {"march_openness", "shaders/fullscreen.vert", "shaders/march_openness.frag"},
       {"screen_area", "shaders/fullscreen.vert", "shaders/screen/area.frag"},
       {"screen_bitmask", "shaders/fullscreen.vert", "shaders/screen/bitmask.frag"},
       {"screen_composite", "shaders/fullscreen.vert", "shaders/screen/composite.frag"},

@@ -17,6 +17,8 @@
 #include "framebuffer.h"
 #include "gl_check.h"
 #include "gpu_error.h"
+#include "lights.h"
+#include "octant_lights.h"
 #include "program.h"
 #include "program_variants.h"
 #include "scene_textures.h"
@@ -47,8 +49,23 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.shading == Shading::octants && !scene.hasOctants()) {
     throw GpuError("render: expected octants for shading by them, found a scene without them");
   }
-  if (settings.shading == Shading::openness && !scene.hasOpenness()) {
-    throw GpuError("render: expected openness for shading by it, found a scene without it");
+  for (std::size_t s = 0; s < settings.octantLight.size(); ++s)
+    for (int color = 0; color < 3; ++color) {
+      const float light = settings.octantLight[s][color];
+      if (!(light >= 0 && std::isfinite(light)))
+        throw GpuError(
+            fmt::format("octant {}: expected a finite light of at least 0, found {}", kOctants[s].name, light));
+    }
+  if (settings.shading == Shading::lights) {
+    if (settings.suns.size() > shader::kMostSuns)
+      throw GpuError(
+          fmt::format("render: expected at most {} suns, found {}", shader::kMostSuns, settings.suns.size()));
+    for (const HardSun& sun : settings.suns)
+      if (!(glm::length(sun.direction) > 0))
+        throw GpuError("render: expected a direction towards each sun, found 0,0,0");
+    if (!settings.lightColors.empty() && settings.lightColors.size() != scene.lights.size())
+      throw GpuError(fmt::format("render: expected a colour for each of {} light fields, found {}", scene.lights.size(),
+                                 settings.lightColors.size()));
   }
 }
 
@@ -65,18 +82,20 @@ shader::FrameUniforms makeUniforms(const Camera& camera, const RenderSettings& s
 
 // Index space and grid axes to the world, in double. Rows are independent.
 void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::vector<glm::vec4>& positions,
-                const Camera& camera, const GridFrame& grid, bool ambient) {
+                const std::vector<glm::vec4>& lights, const Camera& camera, const GridFrame& grid) {
   const glm::dvec3 forward = cameraAxes(camera).forward;
   const std::size_t count = normals.size();
-  frame.ambient.resize(ambient ? count : 0);
+  frame.light.resize(count);
   frame.normal.resize(count);
   frame.position.resize(count);
+  frame.index.resize(count);
   frame.depth.resize(count);
   const auto width = static_cast<std::size_t>(frame.size.x);
   parallelFor(static_cast<std::size_t>(frame.size.y), [&](std::size_t row) {
     for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
       const bool hit = positions[i].w > 0;
-      if (ambient) frame.ambient[i] = hit ? normals[i].w : 1;
+      frame.light[i] = glm::vec3(lights[i]);
+      frame.index[i] = glm::vec3(positions[i]);
       if (!hit) {
         frame.normal[i] = glm::vec3(0);
         frame.position[i] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
@@ -93,15 +112,16 @@ void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::
 
 }  // namespace
 
-constexpr GLuint kSwept0Unit = 3;  // after level, clearance and distance: octants and geometry terms, or openness
+constexpr GLuint kSwept0Unit = 3;  // after level, clearance and distance: octants and geometry terms
 constexpr GLuint kBeamUnit = 7;
+constexpr GLuint kLight0Unit = 8;
 
 const char* variantName(Shading shading) {
   switch (shading) {
     case Shading::octants:
       return "march_octants";
-    case Shading::openness:
-      return "march_openness";
+    case Shading::lights:
+      return "march_lights";
     case Shading::local:
       return "march_local";
   }
@@ -111,8 +131,11 @@ const char* variantName(Shading shading) {
 struct Renderer::Impl {
   std::array<GlProgram, 3> programs;  // by shading, each built when it is first needed
   GlBuffer uniformBuffer = GlBuffer::create();
+  GlBuffer lightBuffer = GlBuffer::create();
+  GlBuffer octantBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
-  std::array<GlTexture, 2> geometryTerms;  // made with the first scene that has octants
+  std::array<std::array<GlTexture, 2>, 2> geometryTerms;  // by term, each made when it is first needed
+  std::size_t builtSuns = 0;                              // that the program of light fields knows
   SceneTextures scene;
   Framebuffer framebuffer;
   BeamPass beams;
@@ -120,31 +143,57 @@ struct Renderer::Impl {
 
   Impl() {
     glNamedBufferStorage(uniformBuffer.name(), sizeof(shader::FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(lightBuffer.name(), sizeof(shader::LightUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(octantBuffer.name(), sizeof(shader::OctantLights), nullptr, GL_DYNAMIC_STORAGE_BIT);
     checkGl("renderer");
   }
 
-  const GlProgram& program(Shading shading) {
+  // `suns`: of Shading::lights.
+  const GlProgram& program(Shading shading, std::size_t suns = 0) {
     GlProgram& built = programs[static_cast<std::size_t>(shading)];
+    if (shading == Shading::lights && builtSuns != suns) built = {};
+    builtSuns = shading == Shading::lights ? suns : builtSuns;
     if (built.name() == 0) {
       const ProgramVariant& variant = programVariant(variantName(shading));
-      built = buildProgram(variant.vertex, variant.fragment);
+      built = shading == Shading::lights ? buildLightProgram(scene.lights.size(), suns)
+                                         : buildProgram(variant.vertex, variant.fragment);
     }
     return built;
   }
 
-  void bindInputs(const shader::FrameUniforms& uniforms, Shading shading) const {
+  const std::array<GlTexture, 2>& geometryTerm(GeometryTerm term) {
+    std::array<GlTexture, 2>& tables = geometryTerms[static_cast<std::size_t>(term)];
+    if (!tables[0]) tables = uploadGeometryTerms(term);
+    return tables;
+  }
+
+  void bindOctants(const RenderSettings& settings) {
+    const shader::OctantLights uniforms = makeOctantLights(settings.octantLight, settings.geometryTerm);
+    glNamedBufferSubData(octantBuffer.name(), 0, sizeof(uniforms), &uniforms);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 2, octantBuffer.name());
+    GLuint unit = kSwept0Unit;
+    for (const GlTexture& texture : scene.octants) glBindTextureUnit(unit++, texture.name());
+    for (const GlTexture& texture : geometryTerm(settings.geometryTerm)) glBindTextureUnit(unit++, texture.name());
+    assert(unit <= kBeamUnit);
+  }
+
+  void bindLights(const RenderSettings& settings) const {
+    const shader::LightUniforms uniforms = makeLightUniforms(scene.lightFields, settings, scene.frame);
+    glNamedBufferSubData(lightBuffer.name(), 0, sizeof(uniforms), &uniforms);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, lightBuffer.name());
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+      glBindTextureUnit(kLight0Unit + static_cast<GLuint>(i), scene.lights[i].name());
+  }
+
+  void bindInputs(const shader::FrameUniforms& uniforms, const RenderSettings& settings) {
+    const Shading shading = settings.shading;
     glNamedBufferSubData(uniformBuffer.name(), 0, sizeof(uniforms), &uniforms);
     glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniformBuffer.name());
     glBindVertexArray(vertexArray.name());
-    std::vector<GLuint> textures{scene.level.name(), scene.clearance.name(), scene.distance.name()};
-    assert(textures.size() == kSwept0Unit);
-    if (shading == Shading::octants) {
-      for (const auto* pair : {&scene.octants, &geometryTerms})
-        for (const GlTexture& texture : *pair) textures.push_back(texture.name());
-    }
-    if (shading == Shading::openness) textures.push_back(scene.openness.name());
-    assert(textures.size() <= kBeamUnit);
+    const std::array<GLuint, kSwept0Unit> textures{scene.level.name(), scene.clearance.name(), scene.distance.name()};
     for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
+    if (shading == Shading::octants) bindOctants(settings);
+    if (shading == Shading::lights) bindLights(settings);
     for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE);
@@ -170,7 +219,7 @@ struct Renderer::Impl {
   // are drawn on their own.
   void drawTile(glm::vec2 pixelOrigin, glm::ivec2 size, const RenderSettings& settings, glm::vec4 background) {
     const std::vector<TileRect> rects = beams.trace(pixelOrigin, size);
-    const GlProgram& march = program(settings.shading);
+    const GlProgram& march = program(settings.shading, settings.suns.size());
     const bool single = settings.samples == 1;
     if (single || settings.layers) {
       framebuffer.bind(size, single, settings.layers);
@@ -192,7 +241,7 @@ struct Renderer::Impl {
     const int tileWidth = std::min(size.x, kTileWidth);
     const glm::ivec2 tile(tileWidth, std::min(size.y, kTilePixels / tileWidth));
     framebuffer.reserve(tile, settings.layers);
-    bindInputs(uniforms, settings.shading);
+    bindInputs(uniforms, settings);
     for (int y = 0; y < size.y; y += tile.y) {
       for (int x = 0; x < size.x; x += tile.x) {
         const glm::ivec2 extent = glm::min(tile, size - glm::ivec2(x, y));
@@ -203,13 +252,16 @@ struct Renderer::Impl {
         if (!settings.layers) continue;
         framebuffer.read(Attachment::normal, extent, &target.normals[start], size.x);
         framebuffer.read(Attachment::position, extent, &target.positions[start], size.x);
+        framebuffer.read(Attachment::light, extent, &target.lights[start], size.x);
       }
     }
   }
 
   void drawScreen(const shader::FrameUniforms& uniforms, const Camera& camera, const RenderSettings& settings,
                   const ScreenTarget& target) {
-    bindInputs(uniforms, Shading::local);
+    RenderSettings inputs = settings;
+    inputs.shading = Shading::local;  // of the scene, only what the trace reads
+    bindInputs(uniforms, inputs);
     if (!screen) screen = std::make_unique<ScreenPass>();
     screen->draw(camera, settings, uniforms, scene, beams, target);
   }
@@ -224,11 +276,12 @@ void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
   if (impl_->screen) impl_->screen->forgetScene();
   impl_->scene = uploadScene(fields);
-  if (impl_->scene.hasOctants() && !impl_->geometryTerms[0]) impl_->geometryTerms = uploadGeometryTerms();
+  impl_->programs[static_cast<std::size_t>(Shading::lights)] = {};  // it knows how many they are
+  if (impl_->scene.hasOctants()) impl_->geometryTerm(GeometryTerm::front);
   // The one that such a scene is for.
-  impl_->program(impl_->scene.hasOpenness()  ? Shading::openness
-                 : impl_->scene.hasOctants() ? Shading::octants
-                                             : Shading::local);
+  impl_->program(!impl_->scene.lights.empty() ? Shading::lights
+                 : impl_->scene.hasOctants()  ? Shading::octants
+                                              : Shading::local);
 }
 
 Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Frame storage) try {
@@ -243,20 +296,19 @@ Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Fra
     frame.color = std::move(storage.color);
   frame.size = size;
   frame.color.resize(count);
-  std::vector<glm::vec4> normals(settings.layers ? count : 0), positions(settings.layers ? count : 0);
+  const std::size_t layerCount = settings.layers ? count : 0;
+  std::vector<glm::vec4> normals(layerCount), positions(layerCount), lights(layerCount);
 
   if (settings.screen)
-    impl_->drawScreen(uniforms, camera, settings, {frame.color, normals, positions});
+    impl_->drawScreen(uniforms, camera, settings, {frame.color, normals, positions, lights});
   else
-    impl_->drawTiles(uniforms, settings, {frame.color, normals, positions});
+    impl_->drawTiles(uniforms, settings, {frame.color, normals, positions, lights});
   checkGl("frame");
   if (settings.samples > 1) {
     const float share = 1 / static_cast<float>(settings.samples);
     for (glm::vec4& color : frame.color) color *= share;
   }
-  if (settings.layers)
-    fillLayers(frame, normals, positions, camera, impl_->scene.frame,
-               settings.screen || settings.shading != Shading::local);
+  if (settings.layers) fillLayers(frame, normals, positions, lights, camera, impl_->scene.frame);
   return frame;
 } catch (const std::bad_alloc&) {
   throw GpuError(fmt::format("image: not enough memory for {}x{} pixels", settings.size.x, settings.size.y));

@@ -11,29 +11,35 @@
 
 #include "camera.h"
 #include "context.h"
+#include "light_field.h"
 #include "screen/screen_occlusion.h"
 #include "sweep/geometry_terms.h"
 #include "sweep/grid.h"
+#include "sweep/octants.h"
 
 namespace isolume {
 
 /// What is uploaded; borrowed for the duration of Renderer::upload. All grids have the same size and spacing.
 /// GPU memory: level 4 B/voxel (R32F), distance 2 B/voxel (R16F, in units of the smallest spacing), clearance 1 B/voxel
-/// (clearance.h), octants 8 B/voxel, openness 2 B/voxel (R16). At least two samples along each axis.
+/// (clearance.h), octants 8 B/voxel, each light field 2 B/voxel (R16). At least two samples along each axis.
 struct SceneFields {
   glm::dmat4 worldFromGrid{1};     ///< index to world: rotation or reflection, spacing, translation; no shear
   GridView<const float> level;     ///< > 0 inside; the surface is its trilinear zero set (sweep/level.h)
   GridView<const float> distance;  ///< world units, < 0 inside; may be empty: only NormalSource::distance reads it
   std::array<GridView<const glm::u8vec4>, 2> octants;  ///< may be empty: only Shading::octants reads them
-  GridView<const std::uint16_t> openness;              ///< may be empty: only Shading::openness reads it; 65535 is open
+  std::vector<LightField> lights;                      ///< up to kMostLightFields; only Shading::lights reads them
 };
 
 enum class NormalSource { data, distance };
 enum class Shading {
-  octants,   ///< A = sum V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point gives 1
-  openness,  ///< A as swept by ordinates, interpolated at the hit
-  local,     ///< head light, N . V: nothing swept needed
+  octants,  ///< sum I_s V_s G_s(N) / pi ([Singh10] Eq. 3, 4), normalised: an open point under I = 1 gives 1
+  lights,   ///< the sum of the light fields, interpolated at the hit, times their colours, a head light and suns
+  local,    ///< head light, N . V: nothing swept needed
 };
+
+/// The uniform white sky.
+inline constexpr std::array<glm::vec3, kOctantCount> kWhiteOctants{
+    glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1), glm::vec3(1)};
 
 struct RenderSettings {
   glm::ivec2 size{1024, 1024};
@@ -41,25 +47,33 @@ struct RenderSettings {
   Shading shading = Shading::octants;
   NormalSource normals = NormalSource::data;
   float occlusionOffsetVoxels =
-      0;                ///< octants are read that far above the hit along the normal, index space; 0 is [Singh10]
-  float gamma = 1;      ///< colour = albedo * A^(1 / gamma) ([Singh10] Sec. 2 uses 2)
-  glm::vec3 albedo{1};  ///< linear
-  glm::vec4 background{1, 1, 1, 1};            ///< linear, not premultiplied; alpha 0 = transparent
+      0;  ///< octants are read that far above the hit along the normal, index space; 0 is [Singh10]
+  /// I_s, linear, finite, >= 0, by octant of sweep/octants.h (grid axes). The four with towardsLight().z > 0 alone are
+  /// a cloudy day ([Singh10] Fig. 7). They and the geometry term change at the cost of a frame.
+  std::array<glm::vec3, kOctantCount> octantLight = kWhiteOctants;
+  GeometryTerm geometryTerm = GeometryTerm::front;  ///< octants: bothSides for a translucent solid
+  std::vector<glm::vec3> lightColors = {};          ///< of each light field, linear, >= 0; empty: white
+  glm::vec3 headLight{0};                           ///< lights: one from the eye without shadows, linear
+  std::vector<HardSun> suns = {};                   ///< lights: up to kMostSuns, with shadows of the solid itself
+  float gamma = 1;                                  ///< colour = albedo * light^(1 / gamma) ([Singh10] Sec. 2 uses 2)
+  glm::vec3 albedo{1};                              ///< linear
+  glm::vec4 background{1, 1, 1, 1};                 ///< linear, not premultiplied; alpha 0 = transparent
   std::optional<ScreenOcclusion> screen = {};  ///< light from the screen in place of `shading`; screen/screen_pass.h
-  bool layers = false;                         ///< also fill ambient, normal, position, depth
+  bool layers = false;                         ///< also fill light, normal, position, depth
 };
 
 /// Row-major, top row first. Colour is linear and premultiplied. Layers are taken at the centre of the pixel, never
-/// averaged; where nothing is hit: ambient 1, normal 0, position NaN, depth +inf. Nothing behind the eye is seen (nor,
+/// averaged; where nothing is hit: light 1, normal 0, position NaN, depth +inf. Nothing behind the eye is seen (nor,
 /// in orthographic pictures, behind the plane through it). An eye inside the solid sees the surface, and the caps, from
 /// behind.
 struct Frame {
   glm::ivec2 size{0};
   std::vector<glm::vec4> color;
-  std::vector<float> ambient;       ///< openness in [0, 1], before gamma; empty unless asked for, as the following,
-                                    ///< and with Shading::local
+  std::vector<glm::vec3> light;     ///< E / pi: an open point under a white sky has 1; before albedo and gamma; empty
+                                    ///< unless asked for, as the following
   std::vector<glm::vec3> normal;    ///< world, unit, out of the solid
   std::vector<glm::vec3> position;  ///< world
+  std::vector<glm::vec3> index;     ///< the same in index space; 0 where nothing is hit
   std::vector<float> depth;         ///< along the view axis, world units
 };
 

@@ -9,6 +9,7 @@
 #include "clearance.h"
 #include "gl_check.h"
 #include "gpu_error.h"
+#include "light_uniforms.h"
 #include "sweep/half.h"
 #include "sweep/parallel.h"
 #include "textures.h"
@@ -62,17 +63,22 @@ SceneTextures uploadScene(const SceneFields& fields) {
       scene.octants[i] = makeTexture3D("octants", size, kRGBA8, GL_NEAREST, fields.octants[i].data);
     }
   }
-  if (fields.openness.data) {
-    checkSize("openness", fields.openness.size, size);
-    scene.openness = makeTextureSlices("openness", size, kR16, GL_NEAREST, fields.openness.data);
+  if (fields.lights.size() > shader::kMostLightFields)
+    throw GpuError(
+        fmt::format("lights: expected at most {} fields, found {}", shader::kMostLightFields, fields.lights.size()));
+  for (LightField field : fields.lights) {
+    checkSize("light", field.values.size, size);
+    scene.lights.push_back(makeTextureSlices("light", size, kR16, GL_NEAREST, field.values.data));
+    field.values = {};
+    scene.lightFields.push_back(field);
   }
   glFinish();
   checkGl("upload");
   return scene;
 }
 
-std::array<GlTexture, 2> uploadGeometryTerms() {
-  const GeometryTermTables tables = makeGeometryTermTables();
+std::array<GlTexture, 2> uploadGeometryTerms(GeometryTerm term) {
+  const GeometryTermTables tables = makeGeometryTermTables(kGeometryTableSize, term);
   std::array<GlTexture, 2> textures;
   for (std::size_t i = 0; i < textures.size(); ++i) {
     textures[i] =

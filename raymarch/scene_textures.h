@@ -8,22 +8,22 @@
 namespace isolume {
 
 struct SceneTextures {
-  GlTexture level;                   ///< R32F, samples, as slices
-  GlTexture clearance;               ///< R8UI, cells; clearance.h
-  GlTexture distance;                ///< R16F, samples, in smallest spacings, as slices
-  std::array<GlTexture, 2> octants;  ///< RGBA8, samples; absent where the scene has none, as the next
-  GlTexture openness;                ///< R16, samples, as slices
+  GlTexture level;                      ///< R32F, samples, as slices
+  GlTexture clearance;                  ///< R8UI, cells; clearance.h
+  GlTexture distance;                   ///< R16F, samples, in smallest spacings, as slices
+  std::array<GlTexture, 2> octants;     ///< RGBA8, samples; absent where the scene has none
+  std::vector<GlTexture> lights;        ///< R16, samples, as slices
+  std::vector<LightField> lightFields;  ///< of the same; borrow nothing any more
   glm::ivec3 size{0};
   GridFrame frame;
 
   bool hasOctants() const { return static_cast<bool>(octants[0]); }
-  bool hasOpenness() const { return static_cast<bool>(openness); }
 };
 
 /// GpuError: fewer than two samples along an axis, grids of different sizes, or more than the GPU takes.
 SceneTextures uploadScene(const SceneFields& fields);
 
 /// The tables of geometry terms, RGBA32F.
-std::array<GlTexture, 2> uploadGeometryTerms();
+std::array<GlTexture, 2> uploadGeometryTerms(GeometryTerm term);
 
 }  // namespace isolume

@@ -2,6 +2,6 @@
 // A head light: N . V.
 #include "march/scene.glsl"
 
-float hitLight(vec3 hit, vec3 normal, vec3 viewer) { return abs(dot(normal, viewer)); }
+vec3 hitLight(vec3 hit, vec3 normal, vec3 viewer) { return vec3(abs(dot(normal, viewer))); }
 
 #include "march/main.glsl"

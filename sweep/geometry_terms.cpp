@@ -35,11 +35,9 @@ Polygon clipAtHorizon(glm::ivec3 signs, glm::dvec3 normal) {
   return polygon;
 }
 
-}  // namespace
-
 // Lambert's formula: the clamped-cosine integral over a spherical polygon is 1/2 sum theta_k (N . n_k), with theta_k
 // the angle of edge k and n_k the unit normal of its plane.
-double octantGeometryTerm(int octant, glm::dvec3 normal) {
+double frontTerm(int octant, glm::dvec3 normal) {
   const Polygon polygon = clipAtHorizon(kOctants[static_cast<std::size_t>(octant)].towardsLight(), normal);
   double sum = 0;
   for (int k = 0; k < polygon.count; ++k) {
@@ -53,7 +51,14 @@ double octantGeometryTerm(int octant, glm::dvec3 normal) {
   return std::abs(sum) / 2;  // the sign tells only which way round the corners go
 }
 
-GeometryTermTables makeGeometryTermTables(int size) {
+}  // namespace
+
+double octantGeometryTerm(int octant, glm::dvec3 normal, GeometryTerm term) {
+  const double front = frontTerm(octant, normal);
+  return term == GeometryTerm::front ? front : front + frontTerm(octant, -normal);
+}
+
+GeometryTermTables makeGeometryTermTables(int size, GeometryTerm geometryTerm) {
   GeometryTermTables tables;
   tables.size = size;
   const auto rowLength = static_cast<std::size_t>(size);
@@ -67,7 +72,7 @@ GeometryTermTables makeGeometryTermTables(int size) {
       const double scale = std::sqrt(1 + z);
       const glm::dvec3 normal = glm::normalize(glm::dvec3(x * scale, y * scale, z));
       for (int octant = 0; octant < kOctantCount; ++octant) {
-        const auto term = static_cast<float>(octantGeometryTerm(octant, normal));
+        const auto term = static_cast<float>(octantGeometryTerm(octant, normal, geometryTerm));
         for (int mirror = 0; mirror < 4; ++mirror) {
           const std::size_t atX = (mirror & 1) != 0 ? rowLength - 1 - column : column;
           const std::size_t atY = (mirror & 2) != 0 ? rowLength - 1 - row : row;

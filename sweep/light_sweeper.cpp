@@ -7,8 +7,8 @@
 
 namespace isolume {
 
-LightSweeper::LightSweeper(GridView<const float> distance)
-    : distance_(distance), metric_(makeSweepMetric(distance.spacing)), tiles_(makeTileGrid(distance.size)) {
+LightSweeper::LightSweeper(GridView<const float> distance, float opacity)
+    : distance_(distance), metric_(makeSweepMetric(distance.spacing, opacity)), tiles_(makeTileGrid(distance.size)) {
   for (auto& blocks : blocks_) blocks = makeBlockBuffers(tiles_, true);
 }
 
@@ -23,6 +23,8 @@ void LightSweeper::sweepPair(int pair, std::array<VisibilityTarget, 2> targets) 
 
   sweepWavefront(tiles_, kOctants[firstOctant], [&](const Tile& tile) {
     for (std::size_t k = 0; k < 2; ++k) {
+      const VisibilityTarget& target = targets[k];
+      if (!target.wanted()) continue;
       const Octant& octant = kOctants[firstOctant + k];
       const OctantWalk walk = walkOctant(tiles_.size, octant);
       const TileOrigin origin = tiles_.origin(tile, octant);
@@ -37,7 +39,6 @@ void LightSweeper::sweepPair(int pair, std::array<VisibilityTarget, 2> targets) 
       buffers.lastRowLight = block.lastRow[parity].light.get();
       loadTile(walk, origin, whole, distance_.data, block.distance.get());
       sweepLightTile(buffers, metric_, smallest, nx);
-      const VisibilityTarget& target = targets[k];
       if (target.as8 != nullptr) storeTile(walk, origin, whole, buffers.visibility, target.as8);
       if (target.asFloat != nullptr) storeTile(walk, origin, whole, buffers.visibility, target.asFloat);
     }

@@ -15,10 +15,11 @@ namespace isolume {
 
 class LightSweeper {
  public:
-  /// Distances in world units, < 0 inside, +-inf where there is no surface.
-  explicit LightSweeper(GridView<const float> distance);
+  /// Distances in world units, < 0 inside, +-inf where there is no surface. Opacity of [Singh10] Eq. 8.
+  explicit LightSweeper(GridView<const float> distance, float opacity = 1);
 
-  /// Octants 2 * pair and 2 * pair + 1. Bitwise the same for any number of threads.
+  /// Octants 2 * pair and 2 * pair + 1, each if its target is wanted. Bitwise the same for any number of threads. A
+  /// single octant may be written in place of the distance.
   void sweepPair(int pair, std::array<VisibilityTarget, 2> targets);
 
  private:

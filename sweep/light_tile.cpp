@@ -27,6 +27,7 @@ void sweepLightTileOnTarget(const LightBuffers& buffers, const SweepMetric& metr
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto perSmallest = hn::Set(d, 1 / smallestSpacing);
   const LightWeights weights = lightWeights(metric);
+  const Translucency solid = translucency(metric);
   const auto lane0 = hn::FirstN(d, 1);
   const auto lastLane = hn::Not(hn::FirstN(d, static_cast<std::size_t>(lanes) - 1));
   const auto up = hn::IndicesFromVec(d, hn::Max(hn::Sub(hn::Iota(di, 0), hn::Set(di, 1)), hn::Zero(di)));
@@ -52,7 +53,7 @@ void sweepLightTileOnTarget(const LightBuffers& buffers, const SweepMetric& metr
           hn::IfThenElse(lane0, hn::Set(d, buffers.rowLight[atRow]), hn::TableLookupLanes(previous[p], up));
       const auto visibility = arrivingLight(weights, previous[p], beside, below);
       const auto distance = hn::Load(d, buffers.distance + p * planeStride + at);
-      const auto leaving = hn::Mul(visibility, transmittance(fixedDistance(distance, perSmallest)));
+      const auto leaving = hn::Mul(visibility, transmittance(solid, fixedDistance(distance, perSmallest)));
       previous[p] = leaving;
       hn::Store(visibility, d, buffers.visibility + p * planeStride + at);
       // The last lane is lanes - 1 voxels behind; a masked store puts it where its x is.

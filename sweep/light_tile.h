@@ -1,4 +1,4 @@
-// The inner loop of the sweep of light alone: [Singh10] Eq. 6 and 7 through given distances, one tile in the skewed
+// The inner loop of the sweep of light alone: [Singh10] Eq. 6 to 8 through given distances, one tile in the skewed
 // layout of sweep_tile.h.
 #pragma once
 

@@ -33,10 +33,20 @@ HWY_INLINE FloatVec arrivingLight(const LightWeights& weights, FloatVec x, Float
   return hn::IfThenElseZero(hn::Ge(sum, hn::Set(d, kDarkest)), sum);
 }
 
-// [Singh10] Eq. 7 with h = the smallest spacing; signed distances in that unit.
-HWY_INLINE FloatVec transmittance(FloatVec distance) {
+// [Singh10] Eq. 7 and 8 with h = the smallest spacing; signed distances in that unit. With t the ramp of Eq. 7,
+// 1 - (1 - t) alpha = min(max(alpha D + (1 - alpha / 2), 1 - alpha), 1): at alpha = 1 the bits of Eq. 7, at 0
+// exactly 1.
+struct Translucency {
+  FloatVec opacity, middle, least;
+};
+HWY_INLINE Translucency translucency(const SweepMetric& metric) {
   const FloatTag d;
-  return hn::Min(hn::Max(hn::Add(distance, hn::Set(d, 0.5F)), hn::Zero(d)), hn::Set(d, 1.0F));
+  return {hn::Set(d, metric.opacity), hn::Set(d, 1 - metric.opacity / 2), hn::Set(d, 1 - metric.opacity)};
+}
+HWY_INLINE FloatVec transmittance(const Translucency& solid, FloatVec distance) {
+  const FloatTag d;
+  const auto ramp = hn::Add(hn::Mul(solid.opacity, distance), solid.middle);
+  return hn::Min(hn::Max(ramp, solid.least), hn::Set(d, 1.0F));
 }
 
 }  // namespace isolume::HWY_NAMESPACE

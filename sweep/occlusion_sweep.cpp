@@ -1,6 +1,7 @@
 #include "occlusion_sweep.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -39,10 +40,29 @@ Grid<glm::u8vec4> interleave(std::array<Grid<std::uint8_t>, 4>& channels, GridVi
   return packed;
 }
 
+// I_s / sum I.
+OctantIntensities sharesOf(const OctantIntensities& intensities) {
+  double sum = 0;
+  for (const float intensity : intensities) {
+    assert(intensity >= 0 && std::isfinite(intensity));
+    sum += intensity;
+  }
+  assert(sum > 0);
+  OctantIntensities shares;
+  for (std::size_t s = 0; s < shares.size(); ++s) shares[s] = static_cast<float>(intensities[s] / sum);
+  return shares;
+}
+
+constexpr int kOctantPairs = kOctantCount / 2;
+
 // The octants of a storage while they are swept, two at a time.
 class OctantWriter {
  public:
-  OctantWriter(GridView<const float> like, VisibilityStorage storage) : like_(like), storage_(storage) {}
+  OctantWriter(GridView<const float> like, VisibilityStorage storage, const OctantIntensities& intensities)
+      : like_(like), storage_(storage), shares_(sharesOf(intensities)) {
+    if (storage != VisibilityStorage::combined) return;
+    for (Grid<float>* grid : {&pair_[0], &pair_[1], &sum_}) *grid = Grid<float>(like.size);
+  }
 
   std::array<VisibilityTarget, 2> targets(int pair) {
     std::array<VisibilityTarget, 2> targets;
@@ -54,6 +74,8 @@ class OctantWriter {
       } else if (storage_ == VisibilityStorage::float32) {
         visibility_.octants[s] = Grid<float>(like_.size, like_.spacing, like_.origin);
         targets[k].asFloat = visibility_.octants[s].data();
+      } else if (storage_ == VisibilityStorage::combined) {
+        targets[k].asFloat = pair_[k].data();
       }
     }
     return targets;
@@ -63,17 +85,39 @@ class OctantWriter {
     const bool gridIsComplete = pair % 2 == 1;
     if (storage_ == VisibilityStorage::rgba8 && gridIsComplete)
       visibility_.packed[static_cast<std::size_t>(pair) / 2] = interleave(channels_, like_);
+    if (storage_ == VisibilityStorage::combined) addPair(pair);
   }
   OctantVisibility take() { return std::move(visibility_); }
 
  private:
+  // After the last pair the sum is rounded and all that it took is freed.
+  void addPair(int pair) {
+    const bool first = pair == 0, last = pair == kOctantPairs - 1;
+    if (last) visibility_.combined = Grid<std::uint16_t>(like_.size, like_.spacing, like_.origin);
+    const float share0 = shares_[static_cast<std::size_t>(2 * pair)];
+    const float share1 = shares_[static_cast<std::size_t>(2 * pair + 1)];
+    const std::size_t perPlane = voxelCount({like_.size.x, like_.size.y, 1});
+    parallelFor(static_cast<std::size_t>(like_.size.z), [&](std::size_t z) {
+      for (std::size_t i = z * perPlane; i < (z + 1) * perPlane; ++i) {
+        const float both = share0 * pair_[0].data()[i] + share1 * pair_[1].data()[i];
+        const float sum = first ? both : sum_.data()[i] + both;
+        if (last)
+          visibility_.combined.data()[i] = static_cast<std::uint16_t>(std::nearbyint(65535 * std::min(sum, 1.0F)));
+        else
+          sum_.data()[i] = sum;
+      }
+    });
+    if (last) pair_ = {}, sum_ = {};
+  }
+
   GridView<const float> like_;
   VisibilityStorage storage_;
+  OctantIntensities shares_;
   OctantVisibility visibility_;
   std::array<Grid<std::uint8_t>, 4> channels_;
+  std::array<Grid<float>, 2> pair_;
+  Grid<float> sum_;
 };
-
-constexpr int kOctantPairs = kOctantCount / 2;
 
 // Start values are made as the first sweep comes to a tile, and world units as the last leaves it.
 SweptFields sweepWholeDomain(GridView<const float> level, const SweepOptions& options) {
@@ -86,8 +130,8 @@ SweptFields sweepWholeDomain(GridView<const float> level, const SweepOptions& op
   const RowHook finish = [&](int y, int z) { finishRow(rowOf(y, z), level.size.x, smallest); };
   const bool once = options.rounds == 1;
 
-  DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing));
-  OctantWriter octants(distance, options.visibility);
+  DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing, options.opacity));
+  OctantWriter octants(distance, options.visibility, options.intensities);
   for (int pair = 0; pair < kOctantPairs; ++pair) {
     const bool last = pair == kOctantPairs - 1;
     sweeper.sweepPair(pair, octants.targets(pair), pair == 0 ? start : RowHook(), last && once ? finish : RowHook());
@@ -142,9 +186,10 @@ Grid<float> sweepBand(GridView<const float> level, const SweepOptions& options) 
 
 }  // namespace
 
-OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage) {
-  LightSweeper sweeper(distance);
-  OctantWriter octants(distance, storage);
+OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage, float opacity,
+                                 const OctantIntensities& intensities) {
+  LightSweeper sweeper(distance, opacity);
+  OctantWriter octants(distance, storage, intensities);
   for (int pair = 0; pair < kOctantPairs; ++pair) {
     sweeper.sweepPair(pair, octants.targets(pair));
     octants.finish(pair);
@@ -159,7 +204,8 @@ SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& opti
                         ? closestDistance(level, {.extent = options.extent, .bandVoxels = options.bandVoxels})
                         : sweepBand(level, options);
   if (options.visibility != VisibilityStorage::none)
-    fields.visibility = sweepVisibility(fields.distance.view(), options.visibility);
+    fields.visibility =
+        sweepVisibility(fields.distance.view(), options.visibility, options.opacity, options.intensities);
   return fields;
 }
 

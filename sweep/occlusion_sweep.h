@@ -21,15 +21,17 @@
 // that is too long hides that. Far from the surface D is too long at three quarters of the samples and more.
 //
 // Visibility: V_s in [0, 1], 1 where octant s is unobstructed ([Singh10] Eq. 6), with the transmittance of Eq. 7 over
-// the smallest spacing. Light enters at the border of the grid. On anisotropic grids the three neighbours weigh 1/h_i,
-// which keeps the paper's direction (1, 1, 1) in world space; at equal spacings the weights are the paper's 1/3.
+// the smallest spacing, of Eq. 8 for a translucent solid. Light enters at the border of the grid. On anisotropic grids
+// the three neighbours weigh 1/h_i, which keeps the paper's direction (1, 1, 1) in world space; at equal spacings the
+// weights are the paper's 1/3.
 //
 // Cost: O(n) per sweep, eight sweeps. Memory per voxel: distance 4 B; octants rgba8 8 B (12 B while sweeping),
-// float32 32 B; O(n^(2/3)) scratch, for a band one byte for 128 voxels more. Bitwise the same for any number of threads
-// and any SIMD width.
+// float32 32 B, combined 2 B (14 B while sweeping); O(n^(2/3)) scratch, for a band one byte for 128 voxels more.
+// Bitwise the same for any number of threads and any SIMD width.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <glm/gtc/type_precision.hpp>
 
 #include "distance_extent.h"
@@ -40,10 +42,15 @@
 namespace isolume {
 
 enum class VisibilityStorage {
-  none,     ///< distance alone
-  rgba8,    ///< two RGBA8 grids, as the shader reads them: octant s in channel s % 4 of grid s / 4
-  float32,  ///< eight float grids, for analysis and export
+  none,      ///< distance alone
+  rgba8,     ///< two RGBA8 grids, as the shader reads them: octant s in channel s % 4 of grid s / 4
+  float32,   ///< eight float grids, for analysis and export
+  combined,  ///< one grid of sum I_s V_s / sum I_s: the geometry term is dropped ([Singh10] Sec. 3, Fig. 6)
 };
+
+/// I_s, the light from each octant of kOctants: finite, >= 0, not all 0.
+using OctantIntensities = std::array<float, kOctantCount>;
+inline constexpr OctantIntensities kEvenOctants{1, 1, 1, 1, 1, 1, 1, 1};
 
 enum class DistanceSolver {
   godunov,  ///< the sweeps above: the paper's, first order
@@ -52,6 +59,10 @@ enum class DistanceSolver {
 
 struct SweepOptions {
   VisibilityStorage visibility = VisibilityStorage::rgba8;
+  /// Alpha of [Singh10] Eq. 8, [0, 1]: tau = 1 - (1 - tau of Eq. 7) alpha, so that a voxel of solid lets 1 - alpha of
+  /// the light through. At 1 bit for bit Eq. 7 alone, at 0 V = 1 exactly. The distance does not depend on it.
+  float opacity = 1;
+  OctantIntensities intensities = kEvenOctants;  ///< combined only
   DistanceSolver solver = DistanceSolver::godunov;
   DistanceStart start = DistanceStart::better;  ///< godunov: the samples next to the surface
   /// godunov: largest number of rounds of eight distance sweeps, >= 1; the paper's is 1. Later rounds sweep only what
@@ -67,6 +78,7 @@ struct SweepOptions {
 struct OctantVisibility {
   std::array<Grid<glm::u8vec4>, 2> packed;        ///< rgba8: V_s = channel / 255
   std::array<Grid<float>, kOctantCount> octants;  ///< float32
+  Grid<std::uint16_t> combined;                   ///< combined: round(65535 sum)
 };
 
 struct SweptFields {
@@ -84,8 +96,9 @@ inline bool sweptTogether(const SweepOptions& options) {
 SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options = {});
 
 /// The visibility alone, through given distances (world units, < 0 inside; +-inf where there is no surface): the same
-/// eight sweeps with every distance fixed.
-OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage);
+/// eight sweeps with every distance fixed. Opacity and intensities as in SweepOptions.
+OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage, float opacity = 1,
+                                 const OctantIntensities& intensities = kEvenOctants);
 
 /// Rounds eight float octants to the two RGBA8 grids of the shader.
 std::array<Grid<glm::u8vec4>, 2> packOctants(const std::array<Grid<float>, kOctantCount>& octants);

@@ -1,6 +1,7 @@
 #include "sweep_tile.h"
 
 #include <algorithm>
+#include <cassert>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/sweep_tile.cpp"
@@ -24,6 +25,7 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
   const int lanes = static_cast<int>(hn::Lanes(d));
   const VectorMetric metric = vectorMetric(gridMetric);
   const LightWeights weights = lightWeights(gridMetric);
+  const Translucency solid = translucency(gridMetric);
   const auto lane0 = hn::FirstN(d, 1);
   const auto lastLane = hn::Not(hn::FirstN(d, static_cast<std::size_t>(lanes) - 1));
   const auto up = hn::IndicesFromVec(d, hn::Max(hn::Sub(hn::Iota(di, 0), hn::Set(di, 1)), hn::Zero(di)));
@@ -73,7 +75,7 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
         const auto lightBeside =
             hn::IfThenElse(lane0, hn::Set(d, buffers.rowLight[atRow]), hn::TableLookupLanes(lightBefore, up));
         const auto visibility = arrivingLight(weights, lightBefore, lightBeside, lightBelow);
-        const auto leaving = hn::Mul(visibility, transmittance(distance));
+        const auto leaving = hn::Mul(visibility, transmittance(solid, distance));
         previousLight[p] = leaving;
         hn::Store(visibility, d, buffers.visibility + p * planeStride + origin + t * lanes);
         hn::BlendedStore(leaving, lastLane, d, buffers.lastRowLight + atLastRow);
@@ -105,7 +107,8 @@ HWY_EXPORT(sweepTileOnTarget);
 
 int tileLanes() { return HWY_DYNAMIC_DISPATCH(lanesOfTarget)(); }
 
-SweepMetric makeSweepMetric(glm::dvec3 spacing) {
+SweepMetric makeSweepMetric(glm::dvec3 spacing, float opacity) {
+  assert(opacity >= 0 && opacity <= 1);
   const double smallest = smallestSpacing(spacing);
   const glm::dvec3 h = spacing / smallest;
   SweepMetric metric;
@@ -115,6 +118,7 @@ SweepMetric makeSweepMetric(glm::dvec3 spacing) {
   metric.weights.x = static_cast<float>(1 / h.x / sum);
   metric.weights.y = static_cast<float>(1 / h.y / sum);
   metric.weights.z = 1.0F - (metric.weights.x + metric.weights.y);  // so that open space stays exactly 1
+  metric.opacity = opacity;
   metric.isotropic = h.x == 1 && h.y == 1 && h.z == 1;
   return metric;
 }

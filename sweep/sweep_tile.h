@@ -21,14 +21,15 @@ inline constexpr int kTilePlanes = 4;
 /// Rows of a tile = lanes of a vector on this machine; the layout of all buffers below follows it.
 int tileLanes();
 
-/// What the sweep needs to know of the grid. Lengths in units of the smallest spacing.
+/// What the sweep needs to know of the grid and its solid. Lengths in units of the smallest spacing.
 struct SweepMetric {
   glm::vec3 spacing{1};        ///< h_x, h_y, h_z
   glm::vec3 inverseSquare{1};  ///< 1 / h^2
   glm::vec3 weights{0};        ///< of the three neighbours in [Singh10] Eq. 6, sum exactly 1 in float
+  float opacity = 1;           ///< alpha of [Singh10] Eq. 8
   bool isotropic = true;
 };
-SweepMetric makeSweepMetric(glm::dvec3 spacing);
+SweepMetric makeSweepMetric(glm::dvec3 spacing, float opacity = 1);
 
 /// The part of a tile's rows that is swept, in canonical x. What lies beside it counts as outside.
 struct TileSpan {
@@ -58,7 +59,7 @@ inline int paddedSteps(int nx, int lanes) { return frontPad() + nx + 2 * lanes +
 inline int rowFrontPad(int lanes) { return frontPad() + 2 * lanes; }
 inline int paddedRow(int nx, int lanes) { return rowFrontPad(lanes) + nx + lanes + kTilePlanes; }
 
-/// Sweeps a span of one tile: distances ([Singh10] Sec. 1.1) and, where asked for, visibility (Eq. 6, 7). Returns
+/// Sweeps a span of one tile: distances ([Singh10] Sec. 1.1) and, where asked for, visibility (Eq. 6 to 8). Returns
 /// whether any distance changed.
 bool sweepTile(const TileBuffers& buffers, const SweepMetric& metric, TileSpan span);
 

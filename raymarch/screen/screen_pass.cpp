@@ -226,10 +226,9 @@ void ScreenPass::draw(const Camera& camera, const RenderSettings& settings, cons
     drawPass("screen_composite", images_.composite, settings.size);
     glDisablei(GL_BLEND, 0);
     if (i > 0 || !settings.layers) continue;
-    readTexture(filtered ? images_.filtered : images_.light, settings.size, target.color);  // until the colour is there
+    readTexture(filtered ? images_.filtered : images_.light, settings.size, target.lights);
     readTexture(images_.normal, settings.size, target.normals);
     readTexture(images_.position, settings.size, target.positions);
-    for (std::size_t pixel = 0; pixel < target.color.size(); ++pixel) target.normals[pixel].w = target.color[pixel].w;
   }
   readTexture(images_.color, settings.size, target.color);
   checkGl("screen-space frame");

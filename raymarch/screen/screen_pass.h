@@ -24,10 +24,10 @@
 
 namespace isolume {
 
-/// Where a picture goes, row-major, top row first: colour (sum of the samples), and for layers the normal (grid axes;
-/// w: openness) and the position (index space; w: 1 where something is hit).
+/// Where a picture goes, row-major, top row first: colour (sum of the samples), and for layers the normal (grid axes),
+/// the position (index space; w: 1 where something is hit) and the light, which is the openness.
 struct ScreenTarget {
-  std::vector<glm::vec4>&color, &normals, &positions;
+  std::vector<glm::vec4>&color, &normals, &positions, &lights;
 };
 
 class ScreenPass {

@@ -1,4 +1,5 @@
-// A = sum_s V_s G_s(N) / pi, the openness of a surface point ([Singh10] Eq. 3 and 4, normalised: an open point gives 1).
+// E / pi = sum_s I_s V_s G_s(N) / pi, the light of the octants at a surface point ([Singh10] Eq. 3 and 4, normalised: an
+// open point under octants of light 1 gives 1, and this is its openness).
 
 // Where the geometry terms of a unit normal stand in the two tables of size x size texels (sweep/geometry_terms.h):
 // texture coordinates of r = N.xy / sqrt(1 + |N.z|), |r|^2 = 1 - |N.z|, with r = -1 and 1 at the centres of the first and
@@ -15,9 +16,14 @@ GeometryAddress geometryAddress(vec3 normal, float size) {
 
 const float kInversePi = 0.318309886184f;
 
-// Octants 0 to 3 and 4 to 7. Rounded tables and 8-bit octants may exceed 1 by a rounding error.
-float ambientOpenness(vec4 visibility0, vec4 visibility1, vec4 geometry0, vec4 geometry1) {
-  return clamp((dot(visibility0, geometry0) + dot(visibility1, geometry1)) * kInversePi, 0.0f, 1.0f);
+// Octants 0 to 3 and 4 to 7. Rounded tables and 8-bit octants may exceed an open point by a rounding error.
+vec3 octantLight(OctantLights lights, vec4 visibility0, vec4 visibility1, vec4 geometry0, vec4 geometry1) {
+  vec4 through0 = visibility0 * geometry0;
+  vec4 through1 = visibility1 * geometry1;
+  vec3 light = vec3(dot(through0, lights.low[0]) + dot(through1, lights.high[0]),
+                    dot(through0, lights.low[1]) + dot(through1, lights.high[1]),
+                    dot(through0, lights.low[2]) + dot(through1, lights.high[2]));
+  return min(light * kInversePi, vec3(lights.most.x, lights.most.y, lights.most.z));
 }
 
 // Visibility of four octants with the same sign of z (zSign: towards their light; channel order of sweep/octants.h) at a

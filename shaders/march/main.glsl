@@ -2,8 +2,9 @@
 // space, where sample (i, j, k) lies at (i, j, k), the solid is { level > 0 } in the box [0, size - 1], and nothing lies
 // outside the box.
 layout(location = 0) out vec4 outColor;     // linear, premultiplied
-layout(location = 1) out vec4 outNormal;    // grid axes, unit, out of the solid; w: light, before gamma
+layout(location = 1) out vec4 outNormal;    // grid axes, unit, out of the solid
 layout(location = 2) out vec4 outPosition;  // index space; w: 1 where something is hit
+layout(location = 3) out vec4 outLight;     // linear, before albedo and gamma
 
 void main() {
   Ray ray = cameraRay(frame.planePoint, frame.planeX, frame.planeY, frame.eye, frame.scale,
@@ -11,14 +12,16 @@ void main() {
   Hit hit = trace(ray);
   if (!hit.found) {
     outColor = frame.background;
-    outNormal = vec4(0.0f, 0.0f, 0.0f, 1.0f);
+    outNormal = vec4(0.0f);
     outPosition = vec4(0.0f);
+    outLight = vec4(1.0f);
     return;
   }
   vec3 viewer = -ray.direction * frame.scale.xyz;
   vec3 normal = hitNormal(hit, viewer);
-  float light = hitLight(hit.position, normal, viewer);
-  outColor = vec4(frame.albedo.rgb * pow(light, frame.albedo.w), 1.0f);
-  outNormal = vec4(normal, light);
+  vec3 light = hitLight(hit.position, normal, viewer);
+  outColor = vec4(frame.albedo.rgb * pow(light, vec3(frame.albedo.w)), 1.0f);
+  outNormal = vec4(normal, 0.0f);
   outPosition = vec4(hit.position, 1.0f);
+  outLight = vec4(light, 1.0f);
 }

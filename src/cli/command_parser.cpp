@@ -69,6 +69,16 @@ CommandParser::CommandParser() {
 
   CLI::App& sweeping = add("fields", "save distance and octant visibility as VDB grids, for render to start from");
   addSurfaceOptions(sweeping, fields.surface);
+  OptionGroup(sweeping, "Output")
+      .value(
+          "--with", "LIST",
+          [this](const std::string& option, const std::string& text) {
+            const Choices<bool OtherFields::*> choices{{"openness", &OtherFields::openness},
+                                                       {"bent", &OtherFields::bent},
+                                                       {"thickness", &OtherFields::thickness}};
+            for (const std::string& name : splitList(text)) fields.others.*parseChoice(option, name, choices) = true;
+          },
+          "further grids, at the samples next to the surface:\nopenness,bent,thickness");
   addDistanceOptions(sweeping, fields.surface.distance, "full");
   addOutputOption(sweeping, fields.output, "FILE", "VDB to write (.vdb)");
   addRunOptions(sweeping, fields.run);

@@ -23,14 +23,14 @@ void addIntegrandOptions(CLI::App& app, ReferenceJob& job) {
   OptionGroup group(app, "Integrand");
   Choices<Integrand> integrands;
   for (const Integrand each : {Integrand::ambient, Integrand::shadow, Integrand::light, Integrand::environment,
-                               Integrand::bounce, Integrand::bent})
+                               Integrand::bounce, Integrand::bent, Integrand::translucent})
     integrands.emplace_back(integrandName(each), each);
   group.value(
       "--integrand", "NAME",
       [&job, integrands](const std::string& option, const std::string& text) {
         job.integrand = parseChoice(option, text, integrands);
       },
-      "ambient, shadow, light, environment, bounce or bent\n(default: ambient)");
+      "ambient, shadow, light, environment, bounce, bent or\ntranslucent (default: ambient)");
   group.value(
       "--radius", "LENGTH",
       [&job](const std::string& option, const std::string& text) { job.radius = parsePositive(option, text); },
@@ -66,6 +66,10 @@ void addIntegrandOptions(CLI::App& app, ReferenceJob& job) {
         job.bounces = parseCount(option, text, 0, kMostBounces);
       },
       fmt::format("bounce: reflections by the surface (default: {})", kDefaultBounces));
+  group.value(
+      "--opacity", "A",
+      [&job](const std::string& option, const std::string& text) { job.opacity = parseWithin(option, text, 0, 1); },
+      "translucent: one voxel of solid lets 1 - A through, 0 to 1");
 }
 
 void addSamplingOptions(CLI::App& app, ReferenceJob& job) {

@@ -3,9 +3,11 @@
 #include <filesystem>
 
 #include "raymarch/context.h"
+#include "src/cli/light_options.h"
 #include "src/cli/option_builder.h"
 #include "src/cli/parse_value.h"
 #include "src/cli/picture_options.h"
+#include "src/cli/presets.h"
 #include "src/cli/screen_options.h"
 #include "src/cli/surface_options.h"
 
@@ -24,7 +26,8 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
         parseOcclusion(option, text, job.occlusion, job.screen);
       },
       "ordinates: ambient occlusion by many directions;\nsingh10: by eight octant sweeps, as published;\n"
-      "octants: the same, read above the surface;\nnone: a head light, nothing swept;\n"
+      "octants: the same, read above the surface;\n"
+      "combined: the octants as one number;\nnone: a head light, nothing swept;\n"
       "from the screen: crytek, hbao, gtao, bitmask, ssdo,\ngpu-sphere, gpu-hemisphere, gpu-importance, gpu-tangent,\n"
       "gpu-disk, szirmay10-containment, szirmay10-volumetric,\nloos10-point, -line, -area (default: ordinates)");
   group.value(
@@ -77,11 +80,10 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
 
 Layers parseLayers(const std::string& option, const std::string& text) {
   Layers layers;
-  const Choices<bool Layers::*> choices{{"ambient", &Layers::ambient},
-                                        {"normal", &Layers::normal},
-                                        {"position", &Layers::position},
-                                        {"depth", &Layers::depth},
-                                        {"all", &Layers::all}};
+  const Choices<bool Layers::*> choices{{"ambient", &Layers::ambient},     {"irradiance", &Layers::irradiance},
+                                        {"normal", &Layers::normal},       {"position", &Layers::position},
+                                        {"depth", &Layers::depth},         {"bent", &Layers::bent},
+                                        {"thickness", &Layers::thickness}, {"all", &Layers::all}};
   for (const std::string& name : splitList(text)) layers.*parseChoice(option, name, choices) = true;
   return layers;
 }
@@ -105,15 +107,23 @@ void addPictureOptions(CLI::App& app, RenderJob& job) {
   group.value(
       "--layers", "LIST",
       [&job](const std::string& option, const std::string& text) { job.layers = parseLayers(option, text); },
-      "EXR: ambient,normal,position,depth or all (default: none)");
+      "EXR: ambient, irradiance, normal, position, depth, bent,\nthickness or all; all adds bent and thickness only "
+      "if\nthey are named too (default: none)");
 }
 
 }  // namespace
 
 void addRenderOptions(CLI::App& app, RenderJob& job) {
   addPictureOptions(app, job);
+  // Before all options that may replace a part of it: they are read in this order.
+  OptionGroup(app, "Shading")
+      .value(
+          "--preset", "NAME",
+          [&job](const std::string& option, const std::string& text) { applyPreset(option, text, job); },
+          "a ready-made look: singh10, clay, studio, cloudy or\ntranslucent; other options replace their part of it");
   addCameraOptions(app, job.camera);
   addShadingOptions(app, job);
+  addLightOptions(app, job.light);
   addScreenOptions(app, job.screen);
   Choices<std::string> backends{{"auto", "auto"}};
   std::string list = "auto";
@@ -139,8 +149,22 @@ void checkRenderOptions(const RenderJob& job) {
     throw UsageError(fmt::format("--layers: expected an .exr to hold them, found '{}'", job.output));
   if (ending == ".exr" && job.bitDepth)
     throw UsageError(fmt::format("--bit-depth: expected a .png (an .exr holds 32-bit floats), found '{}'", job.output));
-  chooseOcclusion(job.occlusion);
-  checkScreenRequest(job.screen, givenOption(job.occlusion));
+  const OcclusionMethod method = chooseOcclusion(job.occlusion).method;
+  const char* swept = givenOption(job.occlusion);
+  checkScreenRequest(job.screen, swept ? swept : givenOption(job.light));
+  if (job.screen.estimator && (job.layers.bent || job.layers.thickness || job.layers.irradiance))
+    throw UsageError(
+        fmt::format("--layers: expected ambient, normal, position or depth with --occlusion {}, found others",
+                    screenEstimatorName(*job.screen.estimator)));
+  checkLighting(job.light, method);
+  if ((job.layers.bent || job.layers.thickness) && method != OcclusionMethod::ordinates)
+    throw UsageError(fmt::format("--layers: expected --occlusion ordinates beside '{}', found {}",
+                                 job.layers.bent ? "bent" : "thickness", occlusionName(method)));
+  if (job.layers.ambient && !isPlain(job.light))
+    throw UsageError(
+        fmt::format("--layers: expected 'irradiance' in place of 'ambient' beside {}: light is more than "
+                    "openness",
+                    givenOption(job.light)));
   if (job.occlusion.method == OcclusionMethod::none && job.layers.ambient)
     throw UsageError("--layers: expected no 'ambient' with --occlusion none, which computes no openness");
 }

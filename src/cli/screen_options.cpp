@@ -96,8 +96,8 @@ void parseOcclusion(const std::string& option, const std::string& text, Occlusio
                     ScreenRequest& screen) {
   using Named = std::variant<OcclusionMethod, ScreenEstimator>;
   Choices<Named> choices;
-  for (const OcclusionMethod each :
-       {OcclusionMethod::singh10, OcclusionMethod::octants, OcclusionMethod::ordinates, OcclusionMethod::none})
+  for (const OcclusionMethod each : {OcclusionMethod::singh10, OcclusionMethod::octants, OcclusionMethod::combined,
+                                     OcclusionMethod::ordinates, OcclusionMethod::none})
     choices.emplace_back(occlusionName(each), each);
   for (const ScreenEstimator each : screenEstimators()) choices.emplace_back(screenEstimatorName(each), each);
   const Named named = parseChoice(option, text, choices);

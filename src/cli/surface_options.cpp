@@ -86,8 +86,8 @@ void addDistanceOptions(CLI::App& app, DistanceRequest& target, const std::strin
   group.value(
       "--start", "NAME",
       [&](const std::string& option, const std::string& text) {
-        target.start =
-            parseChoice<DistanceStart>(option, text, {{"paper", DistanceStart::paper}, {"better", DistanceStart::better}});
+        target.start = parseChoice<DistanceStart>(option, text,
+                                                  {{"paper", DistanceStart::paper}, {"better", DistanceStart::better}});
       },
       "where godunov starts: paper, nearest crossed grid edge,\nor better, from the interpolant (default: better)");
   group.value(
@@ -96,8 +96,8 @@ void addDistanceOptions(CLI::App& app, DistanceRequest& target, const std::strin
         target.extent =
             parseChoice<DistanceExtent>(option, text, {{"band", DistanceExtent::band}, {"full", DistanceExtent::full}});
       },
-      "band: 3 voxels about the surface, a safe lower bound\nbeyond; or full, the whole grid (default: " + defaultExtent +
-          ")");
+      "band: 3 voxels about the surface, a safe lower bound\nbeyond; or full, the whole grid (default: " +
+          defaultExtent + ")");
 }
 
 void addOutputOption(CLI::App& app, std::string& target, const std::string& valueName, const std::string& description) {

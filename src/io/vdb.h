@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sweep/grid.h"
@@ -38,6 +39,8 @@ struct FieldsFile {
   Inside inside = Inside::above;
   LevelSummary summary;
   std::string source;  ///< how it was made, one line
+  /// Further grids for other programs, with 0 as background: written, not read back.
+  std::vector<std::pair<std::string, Grid<float>>> others;
 };
 bool isFieldsFile(const std::string& path);  ///< a VDB that writeFields() made; false for anything else
 /// Returns the file's bytes: the caller writes them (output_file.h).

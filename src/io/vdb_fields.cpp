@@ -119,6 +119,7 @@ std::string encodeFields(const FieldsFile& fields) {
   add(fields.swept.distance, "distance", static_cast<float>(extent.x + extent.y + extent.z));
   for (std::size_t s = 0; s < kOctantCount; ++s)
     add(fields.swept.visibility.octants[s], fmt::format("visibility_{}", kOctants[s].name), 1);
+  for (const auto& [name, values] : fields.others) add(values, name, 0);
   std::string bytes = encodeVdbFile(grids, metadata);
   const std::size_t at = hashPosition(bytes);
   const std::uint64_t hash = hashBytes(bytes);

@@ -8,9 +8,18 @@
 
 namespace isolume {
 
+/// Grids beside level, distance and octants; each a number per sample next to the surface, 0 elsewhere.
+struct OtherFields {
+  bool openness = false;   ///< `openness`
+  bool bent = false;       ///< `bent_x` `_y` `_z`, unit, world, and `cone`, radians
+  bool thickness = false;  ///< `thickness`, world units
+  bool any() const { return openness || bent || thickness; }
+};
+
 struct FieldsJob {
   SurfaceRequest surface;
   std::string output;
+  OtherFields others;
   RunOptions run;
 };
 

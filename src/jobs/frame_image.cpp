@@ -1,7 +1,12 @@
 #include "src/jobs/frame_image.h"
 
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <string>
 #include <utility>
+
+#include "sweep/parallel.h"
 
 namespace isolume {
 namespace {
@@ -20,9 +25,52 @@ void addVector(Image& image, const std::string& layer, const std::vector<glm::ve
   for (int i = 0; i < 3; ++i) image.channels.push_back(channelOf(layer + kAxes[i], pixels, i));
 }
 
+/// Trilinear among the samples around a hit, all of which hold a value.
+float fieldAt(const Grid<std::uint16_t>& field, glm::vec3 index) {
+  const GridView<const std::uint16_t> values = field.view();
+  const glm::ivec3 low = glm::clamp(glm::ivec3(index), glm::ivec3(0), values.size - 2);
+  const glm::vec3 part = index - glm::vec3(low);
+  float sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
+    const glm::vec3 weight = glm::mix(1.0f - part, part, glm::vec3(side));
+    const glm::ivec3 at = low + side;
+    sum += weight.x * weight.y * weight.z * static_cast<float>(values(at.x, at.y, at.z));
+  }
+  return sum;
+}
+
+bool isHit(const Frame& frame, std::size_t i) { return std::isfinite(frame.depth[i]); }
+
+void addBent(Image& image, const Frame& frame, const std::array<Grid<std::uint16_t>, 3>& bent) {
+  const std::size_t first = image.channels.size(), count = frame.depth.size();
+  for (const char* name : {"bent.X", "bent.Y", "bent.Z", "cone.Y"})
+    image.channels.push_back({name, std::vector<float>(count, 0)});
+  parallelFor(static_cast<std::size_t>(frame.size.y), [&](std::size_t row) {
+    const auto width = static_cast<std::size_t>(frame.size.x);
+    for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
+      if (!isHit(frame, i)) continue;
+      glm::vec3 mean;
+      for (int c = 0; c < 3; ++c) mean[c] = bentComponent(fieldAt(bent[static_cast<std::size_t>(c)], frame.index[i]));
+      const float length = glm::length(mean);
+      if (!(length > 0)) continue;
+      for (int c = 0; c < 3; ++c) image.channels[first + static_cast<std::size_t>(c)].values[i] = mean[c] / length;
+      image.channels[first + 3].values[i] = coneAngle(length);
+    }
+  });
+}
+
+void addThickness(Image& image, const Frame& frame, const SweptLight& thickness) {
+  constexpr float kFull = 65535;
+  std::vector<float> values(frame.depth.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (isHit(frame, i)) values[i] = fieldAt(thickness.values, frame.index[i]) * thickness.full / kFull;
+  image.channels.push_back({"thickness.Y", std::move(values)});
+}
+
 }  // namespace
 
-Image imageOf(const Frame& frame, const RenderJob& job) {
+Image imageOf(const Frame& frame, const RenderJob& job, const SweptLighting& lighting) {
   Image image;
   image.size = frame.size;
   const bool png = job.output.ends_with(".png");
@@ -30,17 +78,23 @@ Image imageOf(const Frame& frame, const RenderJob& job) {
   const int colors = png && !job.transparent ? 3 : 4;
   for (int i = 0; i < colors; ++i) image.channels.push_back(channelOf(kColors[i], frame.color, i));
   const Layers& layers = job.layers;
-  const bool hasAmbient = !frame.ambient.empty();
-  if (hasAmbient && (layers.ambient || layers.all)) image.channels.push_back({"ambient.Y", frame.ambient});
+  const bool lit = job.occlusion.method != OcclusionMethod::none, plain = isPlain(job.light);
+  if (lit && plain && (layers.ambient || layers.all)) image.channels.push_back(channelOf("ambient.Y", frame.light, 0));
+  if (lit && (layers.irradiance || (layers.all && !plain))) {
+    const char* const kChannels[] = {"irradiance.R", "irradiance.G", "irradiance.B"};
+    for (int i = 0; i < 3; ++i) image.channels.push_back(channelOf(kChannels[i], frame.light, i));
+  }
   if (layers.normal || layers.all) addVector(image, "normal", frame.normal);
+  if (lighting.bent) addBent(image, frame, *lighting.bent);
+  if (layers.thickness && lighting.thickness) addThickness(image, frame, *lighting.thickness);
   if (layers.position || layers.all) addVector(image, "position", frame.position);
   if (layers.depth || layers.all) image.channels.push_back({"Z", frame.depth});
   return image;
 }
 
 std::size_t frameBytes(const Frame& frame) {
-  return frame.color.size() * sizeof(glm::vec4) + (frame.ambient.size() + frame.depth.size()) * sizeof(float) +
-         (frame.normal.size() + frame.position.size()) * sizeof(glm::vec3);
+  return frame.color.size() * sizeof(glm::vec4) + frame.depth.size() * sizeof(float) +
+         (frame.light.size() + frame.normal.size() + frame.position.size() + frame.index.size()) * sizeof(glm::vec3);
 }
 
 }  // namespace isolume

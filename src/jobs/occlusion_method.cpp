@@ -21,8 +21,9 @@ constexpr double kBestTolerance = 1.05;
 /// Voxels above the surface at which self-occlusion by Eq. 7 no longer shows, [Singh10] read at the hit.
 constexpr double kOctantOffset = 2;
 
-constexpr std::array<std::pair<OcclusionMethod, const char*>, 4> kNames{{{OcclusionMethod::singh10, "singh10"},
+constexpr std::array<std::pair<OcclusionMethod, const char*>, 5> kNames{{{OcclusionMethod::singh10, "singh10"},
                                                                          {OcclusionMethod::octants, "octants"},
+                                                                         {OcclusionMethod::combined, "combined"},
                                                                          {OcclusionMethod::ordinates, "ordinates"},
                                                                          {OcclusionMethod::none, "none"}}};
 
@@ -39,8 +40,8 @@ void checkCompatible(const OcclusionRequest& request) {
           "the surface");
     return;
   }
-  const bool byOctants = *request.method == OcclusionMethod::singh10 || *request.method == OcclusionMethod::octants;
-  if (request.offset && !byOctants)
+  const bool readAbove = *request.method == OcclusionMethod::singh10 || *request.method == OcclusionMethod::octants;
+  if (request.offset && !readAbove)
     throw UsageError(fmt::format("--occlusion-offset: expected --occlusion singh10 or octants beside it, found {}",
                                  occlusionName(*request.method)));
   const char* knob = request.ordinates ? "--ordinates" : request.quality ? "--quality" : "--error";
@@ -104,6 +105,11 @@ std::string occlusionName(OcclusionMethod method) {
       ->second;
 }
 
+bool byOctants(OcclusionMethod method) {
+  return method == OcclusionMethod::singh10 || method == OcclusionMethod::octants ||
+         method == OcclusionMethod::combined;
+}
+
 std::vector<CalibratedSetting> parseCalibration(const std::string& json) {
   std::vector<CalibratedSetting> calibration;
   const auto root = nlohmann::json::parse(json);
@@ -136,7 +142,7 @@ OcclusionSetting chooseOcclusion(const OcclusionRequest& request, const std::vec
   const OcclusionMethod method = request.method.value_or(OcclusionMethod::ordinates);
   OcclusionSetting setting;
   setting.method = method;
-  if (method == OcclusionMethod::none) return setting;
+  if (method == OcclusionMethod::none || method == OcclusionMethod::combined) return setting;
   if (method != OcclusionMethod::ordinates) {
     setting.offset = request.offset.value_or(method == OcclusionMethod::singh10 ? 0 : kOctantOffset);
     for (const CalibratedSetting& each : calibration)
@@ -157,7 +163,7 @@ nlohmann::ordered_json occlusionSettings(const OcclusionSetting& setting) {
   if (setting.method == OcclusionMethod::ordinates) {
     settings["ordinates"] = setting.ordinates.ordinates;
     settings["refinement"] = setting.ordinates.refinement;
-  } else if (setting.method != OcclusionMethod::none) {
+  } else if (setting.method == OcclusionMethod::singh10 || setting.method == OcclusionMethod::octants) {
     settings["occlusion-offset"] = setting.offset;
   }
   return settings;

@@ -17,6 +17,7 @@ namespace isolume {
 enum class OcclusionMethod {
   singh10,    ///< eight octants, read at the hit, as published
   octants,    ///< the same sweeps, read above the surface
+  combined,   ///< their mean as one number, the geometry term dropped ([Singh10] Fig. 6), read at the hit
   ordinates,  ///< many directions, summed at the surface
   none,       ///< a head light
 };
@@ -58,6 +59,9 @@ OcclusionSetting chooseOcclusion(const OcclusionRequest& request,
 nlohmann::ordered_json occlusionSettings(const OcclusionSetting& setting);
 
 std::string occlusionName(OcclusionMethod method);
+
+/// Whether eight octants are swept.
+bool byOctants(OcclusionMethod method);
 
 /// The first option that was given, or nullptr.
 const char* givenOption(const OcclusionRequest& request);

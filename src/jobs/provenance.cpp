@@ -17,9 +17,12 @@ std::string layerList(const Layers& layers) {
     if (wanted) list.append(list.empty() ? "" : ",").append(name);
   };
   add(layers.ambient, "ambient");
+  add(layers.irradiance, "irradiance");
   add(layers.normal, "normal");
   add(layers.position, "position");
   add(layers.depth, "depth");
+  add(layers.bent, "bent");
+  add(layers.thickness, "thickness");
   add(layers.all, "all");
   return list;
 }
@@ -30,6 +33,7 @@ nlohmann::ordered_json pictureSettings(const RenderJob& job, const OcclusionSett
   settings["size"] = fmt::format("{}x{}", job.size.x, job.size.y);
   settings["samples"] = job.samples;
   settings.update(screen ? screenSettings(*screen) : occlusionSettings(occlusion));
+  settings.update(lightingSettings(job.light));
   settings["normals"] = job.normals == NormalSource::data ? "data" : "distance";
   settings["gamma"] = job.gamma;
   settings["albedo"] = job.albedo.text;
@@ -45,9 +49,16 @@ std::string calibratedText(double error) { return fmt::format("{:.4f} on the ref
 
 std::string optionText(const nlohmann::ordered_json& settings) {
   std::string text;
-  for (const auto& [key, value] : settings.items())
+  const auto add = [&text](const std::string& key, const nlohmann::ordered_json& value) {
     text += fmt::format("{}--{} {}", text.empty() ? "" : " ", key,
                         value.is_string() ? value.get<std::string>() : value.dump());
+  };
+  for (const auto& [key, value] : settings.items()) {
+    if (!value.is_array())
+      add(key, value);
+    else
+      for (const auto& each : value) add(key, each);
+  }
   return text;
 }
 

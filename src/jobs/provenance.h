@@ -28,7 +28,7 @@ struct Provenance {
 /// `HASH  FILE` (SHA-256) for every file, joined by "; ". Thread-safe.
 std::string checksumText(const std::vector<std::string>& files);
 
-/// Settings as options of the command line: `--size 64x64 --gamma 2`.
+/// Settings as options of the command line: `--size 64x64 --gamma 2`; an array as an option given again and again.
 std::string optionText(const nlohmann::ordered_json& settings);
 
 /// What holds for the surface alone: command, version, input, checksum, isovalue, side.

@@ -61,9 +61,11 @@ void checkReference(const ReferenceJob& job) {
   needReader(job.lightRadius.has_value(), "--light-radius", integrand, {Integrand::light});
   needReader(!job.environment.empty(), "--environment", integrand, {Integrand::environment, Integrand::bounce});
   needReader(job.bounces.has_value(), "--bounces", integrand, {Integrand::bounce});
+  needReader(job.opacity.has_value(), "--opacity", integrand, {Integrand::translucent});
   if (integrand == Integrand::shadow || integrand == Integrand::light)
     needOption(job.lightDirection.has_value(), "--light-direction", integrand);
   if (integrand == Integrand::light) needOption(job.lightRadius.has_value(), "--light-radius", integrand);
+  if (integrand == Integrand::translucent) needOption(job.opacity.has_value(), "--opacity", integrand);
   if (integrand == Integrand::environment) needOption(!job.environment.empty(), "--environment", integrand);
   if (job.lightDirection && !(glm::length(*job.lightDirection) > 0))
     throw UsageError("--light-direction: expected a direction, found 0,0,0");
@@ -84,6 +86,8 @@ const char* integrandName(Integrand integrand) {
       return "bounce";
     case Integrand::bent:
       return "bent";
+    case Integrand::translucent:
+      return "translucent";
   }
   return "";
 }

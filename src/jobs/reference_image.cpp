@@ -15,6 +15,7 @@ constexpr std::size_t kColors = 4, kPlacement = 7;  // R G B A; normal, position
 glm::dvec3 lightOf(Integrand integrand, const Channels& value) {
   switch (integrand) {
     case Integrand::ambient:
+    case Integrand::translucent:
       return glm::dvec3(value[0]);
     case Integrand::shadow:
     case Integrand::light:
@@ -42,6 +43,7 @@ nlohmann::ordered_json referenceSettings(const ReferenceJob& job) {
   if (job.lightRadius) settings["light-radius"] = *job.lightRadius;
   if (!job.environment.empty()) settings["environment"] = job.environment;
   if (job.integrand == Integrand::bounce) settings["bounces"] = job.bounces.value_or(kDefaultBounces);
+  if (job.opacity) settings["opacity"] = *job.opacity;
   settings["normals"] = job.normals == ReferenceNormals::data ? "data" : "exact";
   if (!isExact(job.integrand)) {
     if (job.targetError) {
@@ -76,7 +78,7 @@ Image emptyReferenceImage(const ReferenceJob& job) {
     if (name == "R") return job.background.linear.r * alpha;
     if (name == "G") return job.background.linear.g * alpha;
     if (name == "B") return job.background.linear.b * alpha;
-    if (name == "ambient.Y") return 1.0f;
+    if (name == "ambient.Y" || name == "translucent.Y") return 1.0f;
     if (name == "Z") return std::numeric_limits<float>::infinity();
     return name.starts_with("position.") ? std::numeric_limits<float>::quiet_NaN() : 0.0f;
   };

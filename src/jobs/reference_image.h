@@ -12,13 +12,13 @@
 
 namespace isolume {
 
-/// An image of the whole picture as if nothing were hit: colour is the background, ambient 1, other estimates 0, their
-/// errors 0, normal 0, position NaN, Z +inf. Channels: R G B A, those of channelNames(), each also as "stderr." and its
-/// name, then normal.X .Y .Z, position.X .Y .Z, Z.
+/// An image of the whole picture as if nothing were hit: colour is the background, ambient and translucent 1, other
+/// estimates 0, their errors 0, normal 0, position NaN, Z +inf. Channels: R G B A, those of channelNames(), each also
+/// as "stderr." and its name, then normal.X .Y .Z, position.X .Y .Z, Z.
 Image emptyReferenceImage(const ReferenceJob& job);
 
-/// Writes what was hit within the rectangle. Colour = albedo * light, linear: the estimate of ambient, direct or
-/// irradiance; of `bent`, which is no light, the cone in units of the open one.
+/// Writes what was hit within the rectangle. Colour = albedo * light, linear: the estimate of ambient, direct,
+/// irradiance or translucent; of `bent`, which is no light, the cone in units of the open one.
 void storePixels(Image& image, const ReferenceJob& job, const PixelRect& rect,
                  const std::vector<ReferencePixel>& pixels, const GridFrame& frame, const Camera& camera);
 

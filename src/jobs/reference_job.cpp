@@ -3,15 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <future>
 #include <optional>
+#include <utility>
 
 #include "src/errors.h"
 #include "src/io/image.h"
 #include "src/io/image_codec.h"
 #include "src/io/output_file.h"
 #include "src/io/vdb.h"
+#include "src/jobs/environment_map.h"
 #include "src/jobs/reference_camera.h"
 #include "src/jobs/reference_image.h"
 #include "src/jobs/report.h"
@@ -31,25 +32,6 @@ Surface loadSurface(const SurfaceRequest& request, StageLog& log) {
   return readSurface(request, log);
 }
 
-Environment readEnvironment(const std::string& path) {
-  const Image image = readImage(path);
-  const auto channel = [&](const char* name) -> const std::vector<float>& {
-    for (const ImageChannel& each : image.channels)
-      if (each.name == name) return each.values;
-    throw InputError(fmt::format("{}: expected the channels R, G and B, found no {}", path, name));
-  };
-  const std::vector<float>&r = channel("R"), &g = channel("G"), &b = channel("B");
-  std::vector<glm::vec3> radiance(r.size());
-  for (std::size_t i = 0; i < radiance.size(); ++i) {
-    radiance[i] = {r[i], g[i], b[i]};
-    for (int c = 0; c < 3; ++c)
-      if (!std::isfinite(radiance[i][c]) || radiance[i][c] < 0)
-        throw InputError(fmt::format("{}: pixel {},{}: expected radiance of 0 or more, found {}", path,
-                                     i % image.size.x, i / image.size.x, radiance[i][c]));
-  }
-  return Environment(image.size, std::move(radiance));
-}
-
 IntegrandSettings integrandSettings(const ReferenceJob& job, const Environment* environment) {
   IntegrandSettings settings;
   settings.integrand = job.integrand;
@@ -61,6 +43,7 @@ IntegrandSettings integrandSettings(const ReferenceJob& job, const Environment* 
   settings.environment = environment;
   settings.bounces = job.bounces.value_or(kDefaultBounces);
   settings.albedo = job.albedo.linear;
+  settings.opacity = job.opacity.value_or(settings.opacity);
   return settings;
 }
 
@@ -125,7 +108,8 @@ void runReferenceJob(const ReferenceJob& job) {
   std::string environmentChecksum;
   if (!job.environment.empty()) {
     log.begin("environment", "reading " + job.environment);
-    environment = readEnvironment(job.environment);
+    EnvironmentMap map = readEnvironmentMap(job.environment);
+    environment.emplace(map.size, std::move(map.radiance));
     environmentChecksum = checksumText({job.environment});
     log.end(environment->memoryBytes());
   }

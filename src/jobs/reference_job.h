@@ -34,6 +34,7 @@ struct ReferenceJob {
   std::optional<double> lightRadius;         ///< degrees
   std::string environment;                   ///< picture of the sky, or ""
   std::optional<int> bounces;
+  std::optional<double> opacity;
 
   std::optional<int> rays, maxRays;
   std::optional<double> targetError;

@@ -1,13 +1,23 @@
 #include "src/jobs/render_job.h"
 
+#include <fmt/core.h>
+
+#include <cmath>
+
 #include <future>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <utility>
 
 #include "raymarch/context.h"
+#include "raymarch/view.h"
 #include "src/io/image.h"
 #include "src/io/image_codec.h"
 #include "src/io/output_file.h"
 #include "src/io/vdb.h"
+#include "src/jobs/environment_map.h"
 #include "src/jobs/frame_image.h"
+#include "src/jobs/lighting.h"
 #include "src/jobs/provenance.h"
 #include "src/jobs/report.h"
 
@@ -21,8 +31,9 @@ Shading shadingOf(OcclusionMethod method) {
     case OcclusionMethod::singh10:
     case OcclusionMethod::octants:
       return Shading::octants;
+    case OcclusionMethod::combined:
     case OcclusionMethod::ordinates:
-      return Shading::openness;
+      return Shading::lights;
     case OcclusionMethod::none:
       return Shading::local;
   }
@@ -37,13 +48,21 @@ OcclusionSetting occlusionOf(const RenderJob& job) {
   return chooseOcclusion(request);
 }
 
-RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occlusion) {
+RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occlusion, const SweptLighting& lighting,
+                              glm::dmat3 worldFromAxes) {
   RenderSettings settings;
   settings.size = job.size;
   settings.samples = job.samples;
   settings.shading = shadingOf(occlusion.method);
   settings.normals = job.normals;
   settings.occlusionOffsetVoxels = static_cast<float>(occlusion.offset);
+  if (settings.shading == Shading::octants) {
+    settings.octantLight = octantLights(job.light, worldFromAxes);
+    if (job.light.opacity.value_or(1) < 1) settings.geometryTerm = GeometryTerm::bothSides;
+  }
+  settings.lightColors = lighting.colors;
+  settings.headLight = lighting.head;
+  settings.suns = lighting.suns;
   settings.gamma = static_cast<float>(job.gamma);
   settings.albedo = job.albedo.linear;
   settings.background = glm::vec4(job.background.linear, job.transparent ? 0.0f : 1.0f);
@@ -51,54 +70,117 @@ RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occl
   return settings;
 }
 
-SceneFields sceneFields(const SweptScene& scene, NormalSource normals) {
+SceneFields sceneFields(const SweptScene& scene, const SweptLighting& lighting, NormalSource normals) {
   SceneFields fields;
   fields.worldFromGrid = scene.surface.worldFromGrid;
   fields.level = scene.surface.level.view();
   if (normals == NormalSource::distance) fields.distance = scene.swept.distance.view();
   for (std::size_t i = 0; i < fields.octants.size(); ++i)
     if (!scene.swept.visibility.packed[i].empty()) fields.octants[i] = scene.swept.visibility.packed[i].view();
-  if (!scene.openness.empty()) fields.openness = scene.openness.view();
+  for (std::size_t i = 0; i < lighting.fields.size(); ++i) {
+    fields.lights.push_back(lighting.uses[i]);
+    fields.lights.back().values = lighting.fields[i].values.view();
+  }
   return fields;
+}
+
+/// An opacity that was asked for by the solid's extent, so that outputs tell what to draw the picture again with.
+void settleOpacity(LightingRequest& light, const Surface& surface) {
+  if (light.freePathShare && !light.opacity) {
+    const std::array<glm::dvec3, 8> corners = solidCorners(surface);
+    const double path = *light.freePathShare * glm::length(corners[7] - corners[0]);
+    light.opacity = -std::expm1(-smallestSpacing(surface.level.view().spacing) / path);
+  }
+  light.freePathShare.reset();
+}
+
+/// Of grey lights, by octant of the grid's axes; the mean over them is what is swept.
+OctantIntensities combinedIntensities(const LightingRequest& request) {
+  OctantIntensities intensities;
+  const std::array<glm::vec3, kOctantCount> lights = octantLights(request, glm::dmat3(1));
+  for (std::size_t s = 0; s < intensities.size(); ++s) intensities[s] = lights[s].g;
+  return intensities;
+}
+
+/// An open point sees half of the octants: it gets what they add up to over half their number.
+SweptLighting combinedLight(const LightingRequest& request, OctantVisibility& visibility) {
+  const OctantIntensities intensities = combinedIntensities(request);
+  const float sum = std::accumulate(intensities.begin(), intensities.end(), 0.0f);
+  SweptLighting lighting;
+  lighting.fields.push_back({std::move(visibility.combined), sum / (kOctantCount / 2)});
+  lighting.uses.push_back({.values = {}, .full = lighting.fields[0].full});
+  lighting.colors.push_back(glm::vec3(1));
+  return lighting;
 }
 
 /// What the scene takes on the GPU, as of raymarch/renderer.h.
 std::size_t textureBytes(const SceneFields& fields) {
-  constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8, kOpennessBytes = 2;
-  return fields.level.count() *
-         (kLevelBytes + kClearanceBytes + (fields.distance.data ? kDistanceBytes : 0) +
-          (fields.octants[0].data ? kOctantsBytes : 0) + (fields.openness.data ? kOpennessBytes : 0));
+  constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8, kLightBytes = 2;
+  return fields.level.count() * (kLevelBytes + kClearanceBytes + (fields.distance.data ? kDistanceBytes : 0) +
+                                 (fields.octants[0].data ? kOctantsBytes : 0) + fields.lights.size() * kLightBytes);
+}
+
+/// Stages `environment`, if there is a map, and `visibility`.
+SweptLighting lightScene(const RenderJob& job, const OcclusionSetting& occlusion, const SweptScene& scene,
+                         const Camera& camera, StageLog& log) {
+  if (occlusion.method != OcclusionMethod::ordinates) return {};
+  std::optional<EnvironmentMap> map;
+  if (!job.light.environment.empty()) {
+    log.begin("environment", "reading " + job.light.environment);
+    map = readEnvironmentMap(job.light.environment);
+    log.end(map->radiance.size() * sizeof(glm::vec3));
+  }
+  LightingRequest request = job.light;
+  request.bent = job.layers.bent;
+  request.thickness = job.layers.thickness;
+  log.begin("visibility", fmt::format("sweeping {} ordinates over {}", occlusion.ordinates.ordinates, gridText(scene)));
+  SweptLighting lighting =
+      sweepLighting(request, occlusion.ordinates, map ? &*map : nullptr, scene, camera, job.albedo.linear);
+  log.end(lighting.bytes());
+  return lighting;
 }
 
 }  // namespace
 
-void runRenderJob(const RenderJob& job) {
+void runRenderJob(const RenderJob& request) {
+  RenderJob job = request;
   checkWritable(job.output);
   if (!job.run.report.empty()) checkWritable(job.run.report);
   limitThreads(job.run.threads);
   preloadImageCodec();
   StageLog log(job.run);
 
-  FieldNeeds needs{.distance = job.normals == NormalSource::distance};
   const OcclusionSetting occlusion = occlusionOf(job);
+  checkLighting(job.light, occlusion.method);
   const Shading shading = shadingOf(occlusion.method);
+  FieldNeeds needs{.distance = job.normals == NormalSource::distance || shading == Shading::lights};
   if (shading == Shading::octants) needs.visibility = VisibilityStorage::rgba8;
-  if (shading == Shading::openness) needs.openness = occlusion.ordinates;
-  const SweptScene scene = loadScene(job.surface, needs, log);
+  if (byOctants(occlusion.method)) needs.opacity = static_cast<float>(job.light.opacity.value_or(1));
+  if (occlusion.method == OcclusionMethod::combined) {
+    needs.visibility = VisibilityStorage::combined;
+    needs.intensities = combinedIntensities(job.light);
+  }
+  SweptScene scene = loadScene(job.surface, needs, log);
+  settleOpacity(job.light, scene.surface);
+  const double aspect = static_cast<double>(job.size.x) / job.size.y;
+  const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
+  SweptLighting lighting = lightScene(job, occlusion, scene, camera, log);
+  if (occlusion.method == OcclusionMethod::combined) lighting = combinedLight(job.light, scene.swept.visibility);
   // Beside drawing: it reads the files once more and uses one core.
-  std::future<std::string> checksums = std::async(std::launch::async, checksumText, scene.surface.files);
+  std::vector<std::string> files = scene.surface.files;
+  if (!job.light.environment.empty()) files.push_back(job.light.environment);
+  std::future<std::string> checksums = std::async(std::launch::async, checksumText, files);
 
   log.begin("upload", "preparing OpenGL");
   const std::unique_ptr<Context> context = makeContext(job.backend);
   Renderer renderer(*context);
-  const SceneFields fields = sceneFields(scene, job.normals);
+  const SceneFields fields = sceneFields(scene, lighting, job.normals);
   renderer.upload(fields);
   log.end(textureBytes(fields));
 
   log.begin("frame", "drawing");
-  const double aspect = static_cast<double>(job.size.x) / job.size.y;
-  const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
-  RenderSettings settings = renderSettings(job, occlusion);
+  RenderSettings settings =
+      renderSettings(job, occlusion, lighting, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes);
   settings.screen = chooseScreen(job.screen, solidCorners(scene.surface));
   const Frame frame = renderer.render(camera, settings);
   log.end(frameBytes(frame));
@@ -106,7 +188,7 @@ void runRenderJob(const RenderJob& job) {
   log.begin("write", "writing " + job.output);
   const Provenance provenance =
       renderProvenance(job, occlusion, settings.screen, scene.surface, camera, *context, checksums.get());
-  Image image = imageOf(frame, job);
+  Image image = imageOf(frame, job, lighting);
   image.metadata = provenance.metadata;
   writeImage(job.output, image, {.bitDepth = job.bitDepth.value_or(kDefaultBitDepth)});
   log.end(fileBytes(job.output));

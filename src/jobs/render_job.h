@@ -9,6 +9,7 @@
 #include "src/io/srgb.h"
 #include "src/jobs/camera_choice.h"
 #include "src/jobs/color.h"
+#include "src/jobs/light_request.h"
 #include "src/jobs/occlusion_method.h"
 #include "src/jobs/run_options.h"
 #include "src/jobs/screen_request.h"
@@ -18,8 +19,9 @@ namespace isolume {
 
 /// Layers of an EXR beside its colour. `all`: every layer that the shading has.
 struct Layers {
-  bool ambient = false, normal = false, position = false, depth = false, all = false;
-  bool any() const { return ambient || normal || position || depth || all; }
+  bool ambient = false, irradiance = false, normal = false, position = false, depth = false, bent = false,
+       thickness = false, all = false;
+  bool any() const { return ambient || irradiance || normal || position || depth || bent || thickness || all; }
 };
 
 struct RenderJob {
@@ -32,6 +34,7 @@ struct RenderJob {
   int samples = 1;
   OcclusionRequest occlusion;
   ScreenRequest screen;  ///< with an estimator: light from the screen, and `occlusion` says nothing
+  LightingRequest light;
   NormalSource normals = NormalSource::data;
   double gamma = 1;
   /// Light grey, so that an open surface stands out from the white page of a figure.
@@ -45,6 +48,6 @@ struct RenderJob {
 };
 
 /// Nothing is written unless all went well. Throws the errors of src/errors.h and GpuError.
-void runRenderJob(const RenderJob& job);
+void runRenderJob(const RenderJob& request);
 
 }  // namespace isolume

@@ -74,11 +74,6 @@ SweptScene readScene(const SurfaceRequest& request, VisibilityStorage storage, S
   return scene;
 }
 
-std::string gridText(const SweptScene& scene) {
-  const glm::ivec3 size = scene.surface.level.size();
-  return fmt::format("{}x{}x{} voxels", size.x, size.y, size.z);
-}
-
 /// Stages `distance` and, if the method has it, `visibility`.
 void sweepFields(SweptScene& scene, const SweepOptions& method, StageLog& log) {
   const bool withVisibility = method.visibility != VisibilityStorage::none;
@@ -93,7 +88,8 @@ void sweepFields(SweptScene& scene, const SweepOptions& method, StageLog& log) {
     log.addIncluded("visibility", visibilityBytes(scene.swept.visibility), "distance");
   } else if (withVisibility) {
     log.begin("visibility", "sweeping visibility over " + gridText(scene));
-    scene.swept.visibility = sweepVisibility(std::as_const(scene.swept.distance).view(), method.visibility);
+    scene.swept.visibility = sweepVisibility(std::as_const(scene.swept.distance).view(), method.visibility,
+                                             method.opacity, method.intensities);
     log.end(visibilityBytes(scene.swept.visibility));
   }
 }
@@ -106,6 +102,7 @@ std::size_t visibilityBytes(const OctantVisibility& visibility) {
   std::size_t bytes = 0;
   for (const auto& grid : visibility.packed) bytes += grid.count() * sizeof(glm::u8vec4);
   for (const auto& grid : visibility.octants) bytes += grid.count() * sizeof(float);
+  bytes += visibility.combined.count() * sizeof(std::uint16_t);
   return bytes;
 }
 
@@ -136,22 +133,26 @@ Surface readSurface(const SurfaceRequest& request, StageLog& log) {
 }
 
 SweptScene loadScene(const SurfaceRequest& request, const FieldNeeds& needs, StageLog& log) {
-  const SweepOptions method = distanceMethod(request.distance, needs.visibility, needs.extent);
+  SweepOptions method = distanceMethod(request.distance, needs.visibility, needs.extent);
+  method.opacity = needs.opacity;
+  method.intensities = needs.intensities;
   SweptScene scene;
   if (isFieldsFile(request.input)) {
+    if (needs.opacity != 1 || needs.visibility == VisibilityStorage::combined)
+      throw UsageError(fmt::format(
+          "{}: expected the volume itself for --opacity or --occlusion combined, found its fields", request.input));
     scene = readScene(request, needs.visibility, log);
   } else {
     scene.surface = readSurface(request, log);
     const bool withVisibility = needs.visibility != VisibilityStorage::none;
-    if (needs.distance || withVisibility || needs.openness) sweepFields(scene, method, log);
-  }
-  if (needs.openness) {
-    log.begin("visibility", fmt::format("sweeping {} ordinates over {}", needs.openness->ordinates, gridText(scene)));
-    scene.openness = sweepOpenness(std::as_const(scene.surface.level).view(),
-                                   std::as_const(scene.swept.distance).view(), *needs.openness);
-    log.end(scene.openness.count() * sizeof(std::uint16_t));
+    if (needs.distance || withVisibility) sweepFields(scene, method, log);
   }
   return scene;
+}
+
+std::string gridText(const SweptScene& scene) {
+  const glm::ivec3 size = scene.surface.level.size();
+  return fmt::format("{}x{}x{} voxels", size.x, size.y, size.z);
 }
 
 std::array<glm::dvec3, 8> solidCorners(const Surface& surface) {

@@ -11,7 +11,6 @@
 #include "src/jobs/distance_method.h"
 #include "src/jobs/stage_log.h"
 #include "sweep/level.h"
-#include "sweep/ordinates/openness_sweep.h"
 
 namespace isolume {
 
@@ -42,7 +41,6 @@ struct Surface {
 struct SweptScene {
   Surface surface;
   SweptFields swept;
-  Grid<std::uint16_t> openness;  ///< sweepOpenness()
 };
 
 /// Stage `read`. InputError if nothing is inside, or if the isovalue is outside the range of the finite samples:
@@ -53,17 +51,20 @@ Surface readSurface(const SurfaceRequest& request, StageLog& log);
 struct FieldNeeds {
   bool distance = false;  ///< visibility needs it in any case
   VisibilityStorage visibility = VisibilityStorage::none;
-  std::optional<OrdinateOptions> openness = {};
+  float opacity = 1;                             ///< of the visibility
+  OctantIntensities intensities = kEvenOctants;  ///< of the combined visibility
   DistanceExtent extent = DistanceExtent::band;  ///< of the distance, if the user does not say
 };
 
 /// Stages `read` and, as needed, `distance` and `visibility`; a file of fields leaves no choice of surface (UsageError
-/// for any such option) and has its distance and octants, packed if they are wanted as rgba8, so that of the sweeps
-/// only that for openness may remain.
+/// for any such option) and has its distance and octants, packed if they are wanted as rgba8.
 SweptScene loadScene(const SurfaceRequest& request, const FieldNeeds& needs, StageLog& log);
 
 /// Bytes that the visibility takes.
 std::size_t visibilityBytes(const OctantVisibility& visibility);
+
+/// "256x256x256 voxels".
+std::string gridText(const SweptScene& scene);
 
 /// World corners of the box that holds the whole solid: its voxels and the one beyond them, within the grid.
 std::array<glm::dvec3, 8> solidCorners(const Surface& surface);

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 
+#include "surface_rays.h"
 #include "sweep/grid.h"
 
 namespace isolume {
@@ -23,11 +24,17 @@ struct OrdinateOptions {
   int refinement = 1;   ///< lattice points per voxel along each axis, 1 or 2
 };
 
-/// Openness in units of 1 / 65535. `level` as of makeLevel(), `distance` exact next to its surface.
+/// By foot, the share of the hemisphere about N that is blocked, weighed by the cosine: 1 - A, to a rounding.
+std::vector<float> blockedShares(const SurfaceRays& rays, int ordinates);
+
+/// In units of 1 / 65535.
+std::vector<std::uint16_t> opennessOf(const std::vector<float>& blockedShares);
+
+/// The same from the fields. `level` as of makeLevel(), `distance` exact next to its surface.
 /// Memory: result 2 B per voxel. While it runs: refinement^3 / 4 B per voxel for the lattice (rows rounded up to
-/// 512 bits), 3/8 B for the marks of the samples, 58 B for each outside sample next to the surface (2 to 4 % of 256^3 in
-/// the sample scenes), and 4 B more of these per thread. std::length_error where a layer of the lattice has 2^24 points
-/// or more (2048^3 refined). Time: bench_ordinates.
+/// 512 bits), 3/8 B for the marks of the samples, 118 B for each outside sample next to the surface (2 to 4 % of 256^3
+/// in the sample scenes), and 4 B more of these per thread. std::length_error where a layer of the lattice has 2^24
+/// points or more (2048^3 refined). Time: bench_ordinates.
 Grid<std::uint16_t> sweepOpenness(GridView<const float> level, GridView<const float> distance,
                                   const OrdinateOptions& options = {});
 

@@ -21,6 +21,7 @@
 // bits per ordinate at work.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -42,18 +43,32 @@ struct LatticeLayers {
 };
 LatticeLayers layersOf(const SolidLattice& lattice, glm::dvec3 spacing, int axis);
 
+inline constexpr std::size_t kMostChannels = 4;
+
 /// One direction towards the light, its components in the order of the axes.
 struct RayDirection {
   float weightBit = 0, weightRow = 0, weightLayer = 0;  ///< unit vector, world units: what N is multiplied with
   double slopeBit = 0, slopeRow = 0;                    ///< lattice points per layer
   float risePerCosine = 0;  ///< how much a ray rises over a plane from layer to layer, world units, per N . w
+  std::array<float, kMostChannels> value{1};  ///< what it counts, by channel
+};
+
+/// Where sums over directions go: for point i and channel c, round(scale * sum of value[c] max(N . w, 0) over those
+/// that meet something, or with `visible` over those that do not) is added to sums[c * stride + i]. One or three
+/// channels; with four there is no cosine: the sum is that of value[c] over those that face the point. `stride` is at
+/// least the number of points and kRayPadding.
+struct RayTally {
+  int channels = 1;
+  bool visible = false;
+  float scale = 1;
+  std::ptrdiff_t stride = 0;
+  std::int32_t* sums = nullptr;
 };
 
 inline constexpr int kRayGroup = 16;  ///< directions that are swept at a time
-/// Sweeps up to kRayGroup directions with w_layer > 0 (towards = 1) or < 0 (-1) and adds to sums[i] for each point i
-/// what of the clamped cosine is blocked: round(scale * sum of max(N . w, 0) over the directions that meet something).
-/// `sums` is longer than the points by kRayPadding.
+/// Sweeps up to kRayGroup directions with w_layer > 0 (towards = 1) or < 0 (-1) and adds up what each point loses, or
+/// keeps.
 void sweepRays(const LatticeLayers& lattice, int towards, const std::vector<RayDirection>& directions,
-               const RayPoints& points, float scale, std::int32_t* sums);
+               const RayPoints& points, const RayTally& tally);
 
 }  // namespace isolume

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "sweep/near_sets.h"
 #include "sweep/parallel.h"
@@ -134,6 +135,70 @@ std::uint16_t SurfaceFeet::insideValue(glm::ivec3 at, GridView<const std::uint16
   return static_cast<std::uint16_t>(std::lround(sum / weights));
 }
 
+std::uint32_t SurfaceFeet::footNumber(glm::ivec3 at) const {
+  const std::uint64_t* row = hasFoot_.row(at.y, at.z);
+  std::uint32_t number = firstFoot_[rowIndex(at.y, at.z)];
+  for (int w = 0; w < at.x / kWordBits; ++w) number += static_cast<std::uint32_t>(std::popcount(row[w]));
+  const std::uint64_t before = (std::uint64_t{1} << (at.x % kWordBits)) - 1;
+  return number + static_cast<std::uint32_t>(std::popcount(row[at.x / kWordBits] & before));
+}
+
+// Of the 26 around an inside sample that have a foot outside, the one closest to the sample's own foot.
+std::uint32_t SurfaceFeet::nearestFoot(glm::ivec3 at) const {
+  const glm::dvec3 own = footPosition(at, normalAt(at));
+  double least = std::numeric_limits<double>::infinity();
+  glm::ivec3 best = at;
+  for (int i = 0; i < 27; ++i) {
+    const glm::ivec3 sample = at + glm::ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (!hasFoot_.test(sample.x, sample.y, sample.z) || solid_.test(sample.x, sample.y, sample.z)) continue;
+    const glm::dvec3 between = (glm::dvec3(sample) - own) * level_.spacing;
+    const double distance = glm::dot(between, between);
+    if (distance < least) {
+      least = distance;
+      best = sample;
+    }
+  }
+  return footNumber(best);
+}
+
+std::vector<NearSample> SurfaceFeet::nearSamples(bool inside) const {
+  std::vector<std::vector<NearSample>> layers(static_cast<std::size_t>(level_.size.z));
+  parallelFor(layers.size(), [&](std::size_t layer) {
+    const int z = static_cast<int>(layer);
+    BitRow near(static_cast<std::size_t>(solid_.words()));
+    for (int y = 0; y < level_.size.y; ++y) {
+      cornerRow(solid_, y, z, near);
+      forEachBit(near.data(), solid_.words(), [&](int x) {
+        const glm::ivec3 at(x, y, z);
+        if (solid_.test(x, y, z) == inside) layers[layer].push_back({at, inside ? nearestFoot(at) : footNumber(at)});
+      });
+    }
+  });
+  std::vector<NearSample> samples;
+  for (const std::vector<NearSample>& each : layers) samples.insert(samples.end(), each.begin(), each.end());
+  return samples;
+}
+
+void SurfaceFeet::fillUnknown(std::vector<std::uint16_t>& values, const std::vector<std::uint8_t>& known) const {
+  parallelFor(static_cast<std::size_t>(level_.size.z), [&](std::size_t layer) {
+    const int z = static_cast<int>(layer);
+    for (int y = 0; y < level_.size.y; ++y)
+      forEachFoot(y, z, [&](std::size_t foot, glm::ivec3 at) {
+        if (known[foot] != 0) return;
+        unsigned sum = 0, count = 0;
+        for (int i = 0; i < 27; ++i) {
+          const glm::ivec3 sample = at + glm::ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+          if (!hasFoot_.test(sample.x, sample.y, sample.z)) continue;
+          const std::uint32_t other = footNumber(sample);
+          if (known[other] == 0) continue;
+          sum += values[other];
+          ++count;
+        }
+        if (count > 0) values[foot] = static_cast<std::uint16_t>((sum + count / 2) / count);
+      });
+  });
+}
+
 void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values) const {
   const auto layers = static_cast<std::size_t>(level_.size.z);
   parallelFor(layers, [&](std::size_t layer) {
@@ -147,6 +212,12 @@ void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<st
     for (int y = 0; y < level_.size.y; ++y)
       forEachBit(inside_.row(y, z), inside_.words(), [&](int x) { values(x, y, z) = insideValue({x, y, z}, values); });
   });
+}
+
+Grid<std::uint16_t> SurfaceFeet::spread(const std::vector<std::uint16_t>& openness) const {
+  Grid<std::uint16_t> values(level_.size, level_.spacing, level_.origin);
+  spread(openness, values.view());
+  return values;
 }
 
 }  // namespace isolume

@@ -22,6 +22,12 @@ struct SurfaceFoot {
   glm::vec3 normal{0};    ///< unit, world units along the grid's axes, out of the solid; 0 at a flat spot or thin cap
 };
 
+/// A sample next to the surface and the foot that it stands for.
+struct NearSample {
+  glm::ivec3 at{0};
+  std::uint32_t foot = 0;
+};
+
 class SurfaceFeet {
  public:
   /// Borrows the fields. `distance` in world units, exact next to the surface. Threaded.
@@ -33,14 +39,26 @@ class SurfaceFeet {
   /// The samples with level > 0.
   const BitGrid& solid() const { return solid_; }
 
+  /// Samples next to the surface, those inside or those outside, each with a foot close to it: an outside sample's own,
+  /// for an inside one that of a neighbour outside closest to its own place on the surface. 16 bytes each. Threaded.
+  std::vector<NearSample> nearSamples(bool inside) const;
+
+  /// Gives feet without a value (known[foot] = 0) the mean of those around them, samples apart by one along each axis,
+  /// that have one; the others keep theirs.
+  void fillUnknown(std::vector<std::uint16_t>& values, const std::vector<std::uint8_t>& known) const;
+
   /// values[sample] = openness[foot] at outside samples and on caps; interpolated at inside samples next to the
   /// surface; 0 elsewhere. Threaded.
   void spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values) const;
+  /// The same in a grid of its own: 2 bytes per voxel.
+  Grid<std::uint16_t> spread(const std::vector<std::uint16_t>& openness) const;
 
  private:
   glm::dvec3 normalAt(glm::ivec3 at) const;
   glm::dvec3 footPosition(glm::ivec3 at, glm::dvec3 normal) const;
   SurfaceFoot footOf(glm::ivec3 at) const;
+  std::uint32_t footNumber(glm::ivec3 at) const;
+  std::uint32_t nearestFoot(glm::ivec3 at) const;
   std::uint16_t insideValue(glm::ivec3 at, GridView<const std::uint16_t> values) const;
   void markRow(int y, int z);
   template <class Visit>

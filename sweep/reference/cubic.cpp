@@ -81,4 +81,24 @@ bool rises(const Cubic& f) {
   return false;
 }
 
+double positiveShare(const Cubic& f) {
+  if (f.isNowherePositive()) return 0;
+  if (f.isNowhereNegative()) return 1;
+  const Extrema extrema = extremaOf(f);
+  double share = 0, low = 0, atLow = f.b0;
+  for (int piece = 0; piece <= extrema.count; ++piece) {
+    const bool last = piece == extrema.count;
+    const double high = last ? 1 : extrema.s[piece], atHigh = last ? f.b3 : f(high);
+    if (atLow > 0 && atHigh < 0)
+      share += zeroBetween(-f, low, -atLow, high, -atHigh) - low;
+    else if (atLow <= 0 && atHigh > 0)
+      share += high - zeroBetween(f, low, atLow, high, atHigh);
+    else if (atLow > 0)
+      share += high - low;
+    low = high;
+    atLow = atHigh;
+  }
+  return share;
+}
+
 }  // namespace isolume

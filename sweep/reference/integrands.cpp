@@ -101,6 +101,27 @@ Channels sampleBent(const ReferenceScene& scene, const ShadedPoint& point, glm::
   return {open.x, open.y, open.z, visible};
 }
 
+/// T of a way of that length inside the solid, world units.
+double transmitted(const ReferenceScene& scene, double opacity, double length) {
+  return std::exp(std::log1p(-opacity) * length / smallestSpacing(scene.tracer.level().spacing));
+}
+
+Channels sampleTranslucent(const ReferenceScene& scene, const IntegrandSettings& settings, const ShadedPoint& point,
+                           glm::dvec2 u) {
+  const glm::dvec3 outward = frameAbout(point.normal) * cosineDirection(u);
+  const auto lengthInside = [&](glm::dvec3 direction) {
+    return scene.tracer.lengthInside(rayFrom(scene, point.hit, direction, kFar));
+  };
+  const double thickness = lengthInside(-outward);
+  double light = 0;
+  if (settings.opacity == 1)
+    light = visibility(scene, point.hit, outward) + visibility(scene, point.hit, -outward);
+  else
+    light =
+        transmitted(scene, settings.opacity, lengthInside(outward)) + transmitted(scene, settings.opacity, thickness);
+  return {light, thickness, 0, 0};
+}
+
 /// [Klehm11] Sec. 3.2 from the mean of V w and the mean of V.
 Channels bentChannels(const Channels& mean) {
   const glm::dvec3 sum(mean[0], mean[1], mean[2]);
@@ -144,6 +165,8 @@ Channels sampleIntegrand(const ReferenceScene& scene, const IntegrandSettings& s
       return samplePath(scene, settings, point, key, index, settings.bounces);
     case Integrand::bent:
       return sampleBent(scene, point, scrambledSobol(key, 0, index));
+    case Integrand::translucent:
+      return sampleTranslucent(scene, settings, point, scrambledSobol(key, 0, index));
   }
   return {};
 }
@@ -164,6 +187,8 @@ std::vector<std::string> channelNames(Integrand integrand) {
       return {"irradiance.R", "irradiance.G", "irradiance.B"};
     case Integrand::bent:
       return {"bent.X", "bent.Y", "bent.Z", "cone.Y"};
+    case Integrand::translucent:
+      return {"translucent.Y", "thickness.Y"};
   }
   return {};
 }

@@ -14,9 +14,14 @@
 //                Sec. 3.1, shown at unit length, and the cone C = (1 - max(0, 2 |N_b| - 1)) pi / 2 of Sec. 3.2 in
 //                radians: an open point gives N and pi / 2. Eq. 2 of the paper puts 1 / pi before the integral, which
 //                sets the length alone. Nothing open: direction 0, cone 0.
+//   translucent  E / pi = (1 / pi) * integral over the whole sphere of |N . w| T(w) dw, [Singh10] Sec. 4.2: light that
+//                goes straight through. T = exp(-s l) with l the length inside the solid on the way to the border of
+//                the grid and s = -ln(1 - opacity) / h, h the smallest spacing: a voxel of solid lets 1 - opacity pass,
+//                as in Eq. 8. Opacity 0 gives 2, opacity 1 the openness of `ambient` (T = V). Beside it the
+//                mean length inside, (1 / pi) * integral over N . w < 0 of |N . w| l dw, world units.
 // Directions are drawn with density cos / pi about the normal (bent: uniform), and for a map with bright spots half of
 // them from the map, combined by the balance heuristic ([Veach95], one-sample form): the weight of a direction is
-// (cos / pi) over the mixture of both densities.
+// (cos / pi) over the mixture of both densities. `translucent` takes two rays, a direction and its opposite.
 // A normal that leans away from the surface (N of the smooth gradient) has directions that enter the solid at once:
 // they count as blocked at distance 0, as everywhere in this program. Pure functions: thread-safe.
 #pragma once
@@ -35,7 +40,7 @@
 
 namespace isolume {
 
-enum class Integrand { ambient, shadow, light, environment, bounce, bent };
+enum class Integrand { ambient, shadow, light, environment, bounce, bent, translucent };
 
 /// Which gradient the hemisphere stands on: SurfaceTracer::smoothGradient() or SurfaceTracer::cellGradient().
 enum class ReferenceNormals { data, exact };
@@ -50,6 +55,7 @@ struct IntegrandSettings {
   const Environment* environment = nullptr;  ///< environment, bounce: borrowed; none is a uniform white sky
   int bounces = 0;                           ///< bounce: reflections by the surface, >= 0
   glm::dvec3 albedo{1};                      ///< bounce: linear, [0, 1]
+  double opacity = 1;                        ///< translucent: of a voxel of solid, [0, 1]
 };
 
 /// The volume and how its axes lie in the world (orthonormal; may mirror). The spacing is that of the level.
@@ -79,7 +85,7 @@ Channels sampleIntegrand(const ReferenceScene& scene, const IntegrandSettings& s
 Channels shownChannels(Integrand integrand, const Channels& mean);
 
 /// Names of the channels shown, as they stand in a picture: "ambient.Y"; "shadow.Y", "direct.Y"; "irradiance.R" ".G"
-/// ".B"; "bent.X" ".Y" ".Z", "cone.Y".
+/// ".B"; "bent.X" ".Y" ".Z", "cone.Y"; "translucent.Y", "thickness.Y".
 std::vector<std::string> channelNames(Integrand integrand);
 
 }  // namespace isolume

@@ -9,7 +9,8 @@
 // 1 / target meet cannot move the estimate by more than the target while it can hide from the spread, and doubles them
 // until `maxRays`. Stopping by an estimated error favours pixels whose error is estimated too low, by up to a sixth in
 // RMS; so it goes on until the estimate is below the target by the estimate's own relative error, kStopMargin.
-// Cost: one traced ray per sample (`bounce`: one per reflection more). No allocation but the result.
+// Cost: one traced ray per sample (`bounce`: one per reflection more; `translucent`: two). No allocation but the
+// result.
 #pragma once
 
 #include <cstdint>

@@ -78,6 +78,20 @@ std::optional<SurfacePoint> leave(GridView<const float> level, const GridRay& ra
   return cubic.isNowherePositive() ? cubic : cubic - kPointRounding * corners.largestMagnitude();
 }
 
+// Where the level itself rises, from where it rises above what leavingCubic() takes off: so that the point found lies
+// on the surface, and a ray can leave it again. Newton's steps back; a ray that grazes stays where it is.
+double onSurface(const Cubic& cubic, double share) {
+  constexpr int kSteps = 3;
+  double s = share;
+  for (int step = 0; step < kSteps; ++step) {
+    const double slope = cubic.slope(s);
+    if (!(slope > 0)) return share;
+    s -= cubic(s) / slope;
+    if (!(s >= 0 && s <= share)) return std::clamp(s, 0.0, share);
+  }
+  return s;
+}
+
 glm::ivec3 cellOf(GridView<const float> level, glm::dvec3 position) {
   return glm::clamp(glm::ivec3(position), glm::ivec3(0), level.size - 2);
 }
@@ -122,7 +136,7 @@ std::optional<SurfacePoint> SurfaceTracer::nextHit(const GridRay& ray, const Sur
   std::optional<SurfacePoint> hit;
   visitSolidCells(solid_, ray, RayWalk(ray, level_.size, ray.start, -1), ray.end, [&](const Segment& segment) {
     const auto share = firstRise(leavingCubic(level_, segment));
-    if (share) hit = segment.at(*share);
+    if (share) hit = segment.at(onSurface(segment.cubic(CellCorners(level_, segment.cell)), *share));
     return hit.has_value();
   });
   return hit;
@@ -137,6 +151,16 @@ bool SurfaceTracer::isBlocked(const GridRay& ray, const SurfacePoint& from) cons
     return blocked;
   });
   return blocked;
+}
+
+double SurfaceTracer::lengthInside(const GridRay& ray) const {
+  double length = 0;
+  visitSolidCells(solid_, ray, RayWalk(ray, level_.size, ray.start, -1), ray.end, [&](const Segment& segment) {
+    const Cubic cubic = segment.cubic(CellCorners(level_, segment.cell));
+    length += positiveShare(cubic) * (segment.toT - segment.fromT);
+    return false;
+  });
+  return length;
 }
 
 double SurfaceTracer::levelAt(glm::dvec3 position) const {

@@ -34,6 +34,10 @@ class SurfaceTracer {
   std::optional<SurfacePoint> nextHit(const GridRay& ray, const SurfacePoint& from) const;
   /// The same question without where: stops at the first crossing found.
   bool isBlocked(const GridRay& ray, const SurfacePoint& from) const;
+  /// How much of a ray that starts within the box, at ray.start, lies in the solid, in units of its parameter. Cell by
+  /// cell what the cubic has above 0: nothing counts crossings, so that a touch adds no more than it is long. Visits
+  /// every cell of the solid on its way.
+  double lengthInside(const GridRay& ray) const;
 
   /// The interpolant, and its exact gradient in the cell (index space), at a point within the box; at the face between
   /// two cells, of the upper one.

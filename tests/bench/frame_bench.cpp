@@ -34,7 +34,7 @@ struct Bench {
     fields.level = level.view();
     for (std::size_t i = 0; i < 2; ++i) fields.octants[i] = swept.visibility.packed[i].view();
     const Grid<std::uint16_t> openness = sweepOpenness(level.view(), swept.distance.view(), {.ordinates = 64});
-    fields.openness = openness.view();
+    fields.lights = {{openness.view()}};
     renderer.upload(fields);
     camera = frameCorners(boxCorners(fields.worldFromGrid, glm::dvec3(20), glm::dvec3(kSize - 21)), 1, {});
   }
@@ -52,7 +52,7 @@ void frame(benchmark::State& state, RenderSettings settings) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(picture.color.size()));
 }
 
-BENCHMARK_CAPTURE(frame, openness, RenderSettings{.shading = Shading::openness})
+BENCHMARK_CAPTURE(frame, openness, RenderSettings{.shading = Shading::lights})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(frame, octants, RenderSettings{})->Unit(benchmark::kMillisecond)->UseRealTime();

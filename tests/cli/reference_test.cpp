@@ -70,7 +70,8 @@ TEST_F(ReferencePicture, LayersFollowTheIntegrand) {
       {{"--integrand", "shadow", "--light-direction", "1,-1,1"}, {"shadow.Y", "direct.Y"}},
       {{"--integrand", "light", "--light-direction", "1,-1,1", "--light-radius", "5"}, {"shadow.Y", "direct.Y"}},
       {{"--integrand", "bounce"}, {"irradiance.R", "irradiance.G", "irradiance.B"}},
-      {{"--integrand", "bent"}, {"bent.X", "bent.Y", "bent.Z", "cone.Y"}}};
+      {{"--integrand", "bent"}, {"bent.X", "bent.Y", "bent.Z", "cone.Y"}},
+      {{"--integrand", "translucent", "--opacity", "0.3"}, {"translucent.Y", "thickness.Y"}}};
   for (const auto& [options, layers] : cases) {
     const Image image = trace(options);
     std::vector<std::string> names = common;
@@ -92,6 +93,19 @@ TEST_F(ReferencePicture, ColourIsAlbedoTimesLight) {
   EXPECT_EQ(channel(image, "R")[middle], ambient);
   EXPECT_EQ(channel(image, "G")[middle], 0);
   EXPECT_EQ(channel(image, "A")[middle], 1);
+}
+
+TEST_F(ReferencePicture, OpacityIsInThePictureAndItsProvenance) {
+  // Opacity 0 is white over the albedo and beside the ball; the setting is recorded as an option.
+  const Image clear =
+      trace({"--integrand", "translucent", "--opacity", "0", "--rays", "16", "--albedo", "red"}, "clear.exr");
+  const std::size_t middle = 12 * 32 + 16;
+  EXPECT_EQ(channel(clear, "translucent.Y")[middle], 1);
+  EXPECT_EQ(channel(clear, "R")[middle], 1);
+  EXPECT_EQ(channel(clear, "translucent.Y")[0], 1);
+  EXPECT_EQ(channel(clear, "thickness.Y")[0], 0);
+  EXPECT_NEAR(channel(clear, "thickness.Y")[middle], 4 * 5 / 3.0, 0.5);  // a ball of radius 5, 16 rays
+  EXPECT_THAT(metadata(clear, "isolume:settings"), HasSubstr("--opacity 0"));
 }
 
 TEST_F(ReferencePicture, ThreadsChangeNoBit) {
@@ -208,6 +222,8 @@ TEST(ReferenceOptions, ReachTheJob) {
       parse({"-o", "out.exr", "--integrand", "light", "--light-direction", "1,2,3", "--light-radius", "0.25"}));
   EXPECT_EQ(sun.lightDirection, glm::dvec3(1, 2, 3));
   EXPECT_EQ(sun.lightRadius, 0.25);
+  EXPECT_EQ(std::get<ReferenceJob>(parse({"-o", "out.exr", "--integrand", "translucent", "--opacity", "0.4"})).opacity,
+            0.4);
 }
 
 TEST(ReferenceOptions, RefuseWhatMakesNoSense) {
@@ -232,6 +248,11 @@ TEST(ReferenceOptions, RefuseWhatMakesNoSense) {
       {{"-o", "sky.exr", "--integrand", "bounce", "--environment", "sky.exr"}, "other than the environment"},
       {{"-o", "o.exr", "--bounces", "2"}, "--bounces: expected --integrand bounce"},
       {{"-o", "o.exr", "--integrand", "bounce", "--bounces", "-1"}, "--bounces"},
+      {{"-o", "o.exr", "--opacity", "0.5"}, "--opacity: expected --integrand translucent, found ambient"},
+      {{"-o", "o.exr", "--integrand", "translucent"}, "--opacity: expected with --integrand translucent"},
+      {{"-o", "o.exr", "--integrand", "translucent", "--opacity", "1.01"}, "--opacity: expected a number from 0 to 1"},
+      {{"-o", "o.exr", "--integrand", "translucent", "--opacity", "-0.1"}, "--opacity: expected a number from 0 to 1"},
+      {{"-o", "o.exr", "--integrand", "translucent", "--opacity", "nan"}, "--opacity: expected a number from 0 to 1"},
       {{"-o", "o.exr", "--rays", "100"}, "--rays: expected a multiple of 16"},
       {{"-o", "o.exr", "--rays", "0"}, "--rays"},
       {{"-o", "o.exr", "--rays", "32", "--stderr", "0.1"}, "--rays: expected either"},
@@ -252,8 +273,9 @@ TEST(ReferenceOptions, HelpFitsATerminal) {
   const std::string text = std::get<PrintedText>(parse({"--help"})).text;
   for (std::size_t start = 0, end; (end = text.find('\n', start)) != std::string::npos; start = end + 1)
     EXPECT_LE(end - start, 100u) << text.substr(start, end - start);
-  for (const char* option : {"--integrand", "--radius", "--membership", "--light-direction", "--light-radius",
-                             "--environment", "--bounces", "--rays", "--stderr", "--max-rays", "--seed", "--normals"})
+  for (const char* option :
+       {"--integrand", "--radius", "--membership", "--light-direction", "--light-radius", "--environment", "--bounces",
+        "--opacity", "--rays", "--stderr", "--max-rays", "--seed", "--normals"})
     EXPECT_THAT(text, HasSubstr(option));
 }
 

@@ -64,7 +64,8 @@ TEST(ScreenOptions, RefusedInOneLine) {
   // Values that are none, options that the estimator does not read, and options without an estimator.
   const std::vector<std::pair<std::vector<const char*>, const char*>> refused{
       {{"--occlusion", "szirmay10-volume"}, "did you mean szirmay10-volumetric?"},
-      {{"--occlusion", "magic"}, "--occlusion: expected one of singh10, octants, ordinates, none, crytek, hbao"},
+      {{"--occlusion", "magic"},
+       "--occlusion: expected one of singh10, octants, combined, ordinates, none, crytek, hbao"},
       {{"--occlusion", "hbao", "--ao-radius", "0"}, "--ao-radius: expected"},
       {{"--occlusion", "hbao", "--ao-samples", "257"}, "--ao-samples: expected"},
       {{"--occlusion", "hbao", "--interleave", "9"}, "--interleave: expected"},
@@ -80,6 +81,7 @@ TEST(ScreenOptions, RefusedInOneLine) {
       {{"--occlusion", "crytek", "--ao-second-radius", "2"}, "--ao-second-radius: expected loos10-point"},
       {{"--occlusion", "crytek", "--ao-normalisation", "exact"}, "--ao-normalisation: expected"},
       {{"--occlusion", "hbao", "--quality", "best"}, "--quality: expected with openness by sweeps, found --occlusion"},
+      {{"--occlusion", "hbao", "--light", "sun"}, "expected with openness by sweeps, found --occlusion hbao"},
       {{"--ao-radius", "1"}, "--ao-radius: expected a screen-space --occlusion beside it"},
       {{"--occlusion", "octants", "--surface", "implicit"}, "--surface: expected a screen-space --occlusion"}};
   for (const auto& [arguments, text] : refused) {

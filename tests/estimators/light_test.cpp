@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "estimators/closed_form.h"
+#include "sweep/level.h"
+#include "volumes/scenes.h"
 
 namespace isolume::test {
 namespace {
@@ -113,6 +115,29 @@ TEST(Bounce, FurnaceGivesOne) {
     EXPECT_EQ(got.value[c], 1);
     EXPECT_EQ(got.standardError[c], 0);
   }
+}
+
+TEST(Bounce, PathsLeaveWhateverSurfaceTheyMeet) {
+  // The same on surfaces at all angles to the grid, where no hit is a round number: a path that met the spot it stands
+  // on again would stay for ever. Of a few hundred points and 64 reflections one path in a thousand may be that long.
+  Grid<float> level = sampleScene(*findScene("corner"), 40);
+  makeLevel(level.view(), 0, Inside::below);
+  const SurfaceTracer tracer(level.view());
+  IntegrandSettings settings;
+  settings.integrand = Integrand::bounce;
+  settings.bounces = 64;
+  double sum = 0;
+  int points = 0;
+  for (int i = 0; i < 400; ++i) {
+    const GridRay down{{8.3 + i % 20 * 1.45, 8.1 + i / 20 * 1.35, 39}, {0.01, 0.02, -1}, 0, 100};
+    const std::optional<SurfacePoint> hit = tracer.firstHit(down);
+    if (!hit) continue;
+    const ShadedPoint point{*hit, shadingNormal(tracer, *hit, ReferenceNormals::exact, {0, 0, 1})};
+    sum += estimateAt({tracer}, settings, {.rays = 32}, point, static_cast<std::uint64_t>(i)).channels.value[0];
+    ++points;
+  }
+  ASSERT_GT(points, 300);
+  EXPECT_GT(sum / points, 0.999);
 }
 
 TEST(Bounce, ClosedCavityStaysDark) {

@@ -6,7 +6,11 @@
 namespace isolume::test {
 
 SceneFields GlScene::fields() const {
-  return {worldFromGrid, level.view(), distance.view(), {octants[0].view(), octants[1].view()}, openness.view()};
+  return {worldFromGrid,
+          level.view(),
+          distance.view(),
+          {octants[0].view(), octants[1].view()},
+          openness.empty() ? std::vector<LightField>() : std::vector<LightField>{{openness.view()}}};
 }
 
 GlScene makeScene(glm::ivec3 size, glm::dvec3 spacing, const std::function<double(glm::dvec3)>& distance) {

@@ -12,7 +12,7 @@ namespace isolume::test {
 struct GlScene {
   Grid<float> level, distance;
   std::array<Grid<glm::u8vec4>, 2> octants;
-  Grid<std::uint16_t> openness;
+  Grid<std::uint16_t> openness;  ///< the one light field, if there is any
   glm::dmat4 worldFromGrid{1};
   SceneFields fields() const;
 };

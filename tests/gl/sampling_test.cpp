@@ -68,7 +68,7 @@ TEST(Sampling, LayersAreThoseOfThePixelCentre) {
   const Frame five = renderOnce(scene, frameScene(scene), settings);
   EXPECT_EQ(one.normal, five.normal);
   EXPECT_EQ(one.depth, five.depth);
-  EXPECT_EQ(one.ambient, five.ambient);
+  EXPECT_EQ(one.light, five.light);
   EXPECT_NE(one.color, five.color);
 }
 
@@ -82,7 +82,7 @@ TEST(Sampling, LayersComeOnlyOnRequestAndMissesAreMarked) {
   const Frame frame = renderOnce(scene, frameScene(scene), settings);
   const std::size_t corner = 0, centre = frame.color.size() / 2 + static_cast<std::size_t>(frame.size.x) / 2;
   EXPECT_EQ(frame.color[corner], glm::vec4(0.5f, 0.25f, 0, 0.5f));
-  EXPECT_EQ(frame.ambient[corner], 1);
+  EXPECT_EQ(frame.light[corner], glm::vec3(1));
   EXPECT_EQ(frame.normal[corner], glm::vec3(0));
   EXPECT_TRUE(std::isnan(frame.position[corner].x));
   EXPECT_EQ(frame.depth[corner], std::numeric_limits<float>::infinity());
@@ -90,7 +90,7 @@ TEST(Sampling, LayersComeOnlyOnRequestAndMissesAreMarked) {
   EXPECT_TRUE(std::isfinite(frame.depth[centre]));
   settings.layers = false;
   const Frame plain = renderOnce(scene, frameScene(scene), settings);
-  EXPECT_TRUE(plain.ambient.empty() && plain.normal.empty() && plain.position.empty() && plain.depth.empty());
+  EXPECT_TRUE(plain.light.empty() && plain.normal.empty() && plain.position.empty() && plain.depth.empty());
   EXPECT_EQ(plain.color, frame.color);
 }
 

@@ -14,6 +14,8 @@
 namespace isolume {
 namespace glsl {
 using namespace glm;
+#include "shaders/shared/octant_lights.h"
+
 #include "shaders/lib/ambient.glsl"
 #include "shaders/lib/camera_ray.glsl"
 #include "shaders/lib/cell_cubic.glsl"
@@ -166,13 +168,41 @@ TEST(ShaderMath, TablesAndAddressGiveTheGeometryTerm) {
   }
 }
 
-TEST(ShaderMath, AmbientIsNormalised) {
-  // All octants open: (sum of G) / pi = 1; rounding above 1 is cut.
+TEST(ShaderMath, OctantLightIsNormalised) {
+  // All octants open and of light 1: (sum of G) / pi = 1; rounding above 1 is cut.
+  glsl::OctantLights white{};
+  for (int color = 0; color < 3; ++color) white.low[color] = white.high[color] = glm::vec4(1);
+  white.most = glm::vec4(1, 1, 1, 0);
   const glm::vec4 open(1);
   const glm::vec4 share(static_cast<float>(M_PI / 8));
-  EXPECT_NEAR(glsl::ambientOpenness(open, open, share, share), 1, 1e-6);
-  EXPECT_NEAR(glsl::ambientOpenness(open, glm::vec4(0), share, share), 0.5, 1e-6);
-  EXPECT_EQ(glsl::ambientOpenness(open, open, share * 1.01f, share), 1);
+  for (int color = 0; color < 3; ++color) {
+    EXPECT_NEAR(glsl::octantLight(white, open, open, share, share)[color], 1, 1e-6);
+    EXPECT_NEAR(glsl::octantLight(white, open, glm::vec4(0), share, share)[color], 0.5, 1e-6);
+    EXPECT_EQ(glsl::octantLight(white, open, open, share * 1.01f, share)[color], 1);
+  }
+}
+
+TEST(ShaderMath, EachOctantHasItsOwnLight) {
+  // The light is sum I_s V_s G_s / pi for each colour by itself, cut at the brightest octant of that colour.
+  Random random;
+  const auto vector = [&random] { return glm::vec4(glm::vec3(random.vector(0, 1)), static_cast<float>(random(0, 1))); };
+  for (int round = 0; round < 200; ++round) {
+    glsl::OctantLights lights{};
+    for (int color = 0; color < 3; ++color) {
+      lights.low[color] = vector();
+      lights.high[color] = vector();
+      lights.most[color] = color == 2 ? 0.1f : 100.0f;
+    }
+    const glm::vec4 visibility[2]{vector(), vector()}, geometry[2]{vector(), vector()};
+    const glm::vec3 got = glsl::octantLight(lights, visibility[0], visibility[1], geometry[0], geometry[1]);
+    for (int color = 0; color < 3; ++color) {
+      double sum = 0;
+      for (int s = 0; s < kOctantCount; ++s)
+        sum += static_cast<double>((s < 4 ? lights.low : lights.high)[color][s % 4]) * visibility[s / 4][s % 4] *
+               geometry[s / 4][s % 4] / M_PI;
+      EXPECT_NEAR(got[color], std::min(sum, static_cast<double>(lights.most[color])), 1e-6);
+    }
+  }
 }
 
 TEST(ShaderMath, BeyondABorderOnlyTheOctantsThatEnterThereOpen) {

@@ -26,7 +26,7 @@ TEST(Shading, OpenSurfaceIsFullyLit) {
   settings.shading = Shading::octants;
   for (const Camera& camera : bothSides(scene)) {
     const Frame frame = renderOnce(scene, camera, settings);
-    for (float ambient : frame.ambient) ASSERT_NEAR(ambient, 1, 1e-5);
+    for (const glm::vec3& light : frame.light) ASSERT_NEAR(light.x, 1, 1e-5);
   }
 }
 
@@ -49,7 +49,7 @@ TEST(Shading, EachOctantLightsItsOwnSide) {
       for (std::size_t i = 0; i < frame.depth.size(); ++i) {
         if (!std::isfinite(frame.depth[i])) continue;
         const double expected = octantGeometryTerm(octant, glm::normalize(glm::dvec3(frame.normal[i]))) / M_PI;
-        ASSERT_NEAR(frame.ambient[i], expected, kTolerance) << "octant " << octant;
+        ASSERT_NEAR(frame.light[i].x, expected, kTolerance) << "octant " << octant;
         brightest = std::max(brightest, expected);
       }
     }
@@ -69,7 +69,7 @@ TEST(Shading, VisibilityIsInterpolatedLinearly) {
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     // Exact but for float rounding, since the shader filters by hand: the hardware would round to 8 bits.
     if (std::isfinite(frame.depth[i])) {
-      ASSERT_NEAR(frame.ambient[i], frame.position[i].x * 5 / 255, 1e-5);
+      ASSERT_NEAR(frame.light[i].x, frame.position[i].x * 5 / 255, 1e-5);
     }
   }
 }
@@ -92,7 +92,7 @@ double roughness(float occlusionOffsetVoxels) {
                         std::isfinite(frame.depth[at(x + 1)]);
       if (!hits) continue;
       const double bend =
-          frame.ambient[at(x - 1)] - 2.0 * frame.ambient[at(x)] + static_cast<double>(frame.ambient[at(x + 1)]);
+          frame.light[at(x - 1)].x - 2.0 * frame.light[at(x)].x + static_cast<double>(frame.light[at(x + 1)].x);
       largest = std::max(largest, std::abs(bend));
     }
   return largest;
@@ -121,7 +121,7 @@ TEST(Shading, ACapIsAsOpenAsTheSurfaceBesideIt) {
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     if (!std::isfinite(frame.depth[i])) continue;
     caps += std::abs(frame.normal[i].z) < 0.5F ? 1 : 0;
-    ASSERT_GT(frame.ambient[i], 0.99) << "normal z " << frame.normal[i].z;
+    ASSERT_GT(frame.light[i].x, 0.99) << "normal z " << frame.normal[i].z;
   }
   EXPECT_GT(caps, 500);
 }
@@ -174,7 +174,7 @@ TEST(Shading, OpennessIsInterpolatedLinearly) {
     for (int y = 0; y < 30; ++y)
       for (int x = 0; x < 40; ++x) scene.openness.view()(x, y, z) = static_cast<std::uint16_t>(valueAt({x, y, z}));
   RenderSettings settings = layerSettings();
-  settings.shading = Shading::openness;
+  settings.shading = Shading::lights;
   int hits = 0;
   for (const Camera& camera : bothSides(scene)) {
     const Frame frame = renderOnce(scene, camera, settings);
@@ -182,7 +182,7 @@ TEST(Shading, OpennessIsInterpolatedLinearly) {
       if (!std::isfinite(frame.depth[i])) continue;
       ++hits;
       const glm::dvec3 index = glm::dvec3(frame.position[i]) / glm::dvec3(1, 1.3, 1.7);
-      ASSERT_NEAR(frame.ambient[i], valueAt(index) / 65535, 2e-5) << i;
+      ASSERT_NEAR(frame.light[i].x, valueAt(index) / 65535, 2e-5) << i;
     }
   }
   EXPECT_GT(hits, 1000);
@@ -193,15 +193,15 @@ TEST(Shading, SweptOpennessOfABallIsOne) {
   GlScene scene = makeSphere();
   scene.openness = sweepOpenness(scene.fields().level, scene.fields().distance);
   RenderSettings settings = layerSettings();
-  settings.shading = Shading::openness;
+  settings.shading = Shading::lights;
   for (const Camera& camera : bothSides(scene)) {
     const Frame frame = renderOnce(scene, camera, settings);
-    for (const float ambient : frame.ambient) ASSERT_NEAR(ambient, 1, 0.01);
+    for (const glm::vec3& light : frame.light) ASSERT_NEAR(light.x, 1, 0.01);
   }
 }
 
 TEST(Shading, OcclusionNeedsOctants) {
-  // A scene without octants renders with local shading and has no ambient layer; by occlusion it is an error.
+  // A scene without octants renders with local shading; by occlusion it is an error.
   const GlScene scene = makeSphere();
   SceneFields fields = scene.fields();
   fields.octants = {};
@@ -209,14 +209,9 @@ TEST(Shading, OcclusionNeedsOctants) {
   Renderer renderer(*context);
   renderer.upload(fields);
   const Frame frame = renderer.render(frameScene(scene), layerSettings());
-  EXPECT_TRUE(frame.ambient.empty());
   EXPECT_FALSE(frame.normal.empty());
   RenderSettings settings = layerSettings();
   settings.shading = Shading::octants;
-  EXPECT_THROW(renderer.render(frameScene(scene), settings), GpuError);
-  fields.openness = {};
-  renderer.upload(fields);
-  settings.shading = Shading::openness;
   EXPECT_THROW(renderer.render(frameScene(scene), settings), GpuError);
 }
 

@@ -10,9 +10,12 @@ isolume_test(test_gl
   ${gl}/gl_scene.cpp
   ${gl}/sampling_test.cpp
   ${gl}/shader_source_test.cpp
+  ${gl}/octant_light_test.cpp
   ${gl}/shading_test.cpp
+  ${gl}/shadow_test.cpp
   ${gl}/../support/cpu_tracer.cpp
-  LIBS isolume_raymarch isolume_sweep isolume_volumes isolume_shaders isolume_glad fmt::fmt)
+  LIBS isolume_raymarch isolume_sweep isolume_reference isolume_readers isolume_volumes isolume_shaders isolume_glad
+  fmt::fmt)
 isolume_test(test_shader_math
   ${gl}/shader_math_test.cpp
   LIBS isolume_sweep)

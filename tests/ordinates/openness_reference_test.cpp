@@ -1,69 +1,43 @@
 // Openness by ordinates against Monte Carlo estimates by exact rays.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
+#include "ordinates/reference_points.h"
 #include "ordinates/swept_openness.h"
-#include "support/random_numbers.h"
-#include "sweep/level.h"
-#include "sweep/reference/reference.h"
-#include "volumes/scenes.h"
 
 namespace isolume {
 namespace {
 
 constexpr int kSize = 64, kPoints = 300;
 
-struct ReferencePoint {
-  ShadedPoint point;
-  double openness = 0;
-};
-
-// Where random rays from outside the solid, within the grid, first meet its isosurface.
-std::vector<ReferencePoint> referencePoints(const SurfaceTracer& tracer) {
-  test::RandomNumbers numbers(17);
-  std::vector<ReferencePoint> points;
-  while (points.size() < kPoints) {
-    const glm::dvec3 origin = numbers.inCube() * (kSize - 1.0), direction = numbers.direction();
-    if (tracer.levelAt(origin) > 0) continue;
-    const auto hit = tracer.firstHit({origin, direction});
-    if (!hit || hit->capAxis >= 0) continue;
-    const ShadedPoint point{*hit, shadingNormal(tracer, *hit, ReferenceNormals::data, -direction)};
+std::vector<double> tracedAt(const SurfaceTracer& tracer, const std::vector<ShadedPoint>& points) {
+  std::vector<double> traced;
+  for (const ShadedPoint& point : points)
     // Standard error about 1e-3.
-    const PointEstimate estimate = estimateAt({tracer, glm::dmat3(1)}, {}, {.rays = 4096}, point, points.size());
-    points.push_back({point, estimate.channels.value[0]});
-  }
-  return points;
+    traced.push_back(estimateAt({tracer, glm::dmat3(1)}, {}, {.rays = 4096}, point, traced.size()).channels.value[0]);
+  return traced;
 }
 
-std::vector<double> sweptAt(GridView<const float> level, const std::vector<ReferencePoint>& points, int ordinates) {
+std::vector<double> sweptAt(GridView<const float> level, const std::vector<ShadedPoint>& points, int ordinates) {
   const Grid<std::uint16_t> values = test::opennessOf(level, {.ordinates = ordinates, .refinement = 2});
   std::vector<double> swept;
-  for (const ReferencePoint& each : points) swept.push_back(test::opennessAt(values, each.point.hit.position));
+  for (const ShadedPoint& each : points) swept.push_back(test::opennessAt(values, each.hit.position));
   return swept;
-}
-
-double rms(const std::vector<double>& one, const std::vector<double>& other) {
-  double sum = 0;
-  for (std::size_t i = 0; i < one.size(); ++i) sum += (one[i] - other[i]) * (one[i] - other[i]);
-  return std::sqrt(sum / static_cast<double>(one.size()));
 }
 
 // With 1024 ordinates the RMSE is below `bound`, 1.2 times what was measured, and 64 have at least `ratio` times as
 // much. From what 4096 ordinates give 64 are off by at least 4 times as much as 1024 (measured: 7.7 to 8.8; K^-3/4: 8).
 void expectConvergence(const char* name, double bound, double ratio) {
-  Grid<float> level = sampleScene(*findScene(name), kSize);
-  makeLevel(level.view(), 0, Inside::below);
+  const Grid<float> level = test::sceneLevel(name, kSize);
   const SurfaceTracer tracer(level.view());
-  const std::vector<ReferencePoint> points = referencePoints(tracer);
-  std::vector<double> want;
-  for (const ReferencePoint& each : points) want.push_back(each.openness);
+  const std::vector<ShadedPoint> points = test::randomSurfacePoints(tracer, kPoints);
+  const std::vector<double> want = tracedAt(tracer, points);
   const std::vector<double> few = sweptAt(level.view(), points, 64), many = sweptAt(level.view(), points, 1024),
                             most = sweptAt(level.view(), points, 4096);
-  EXPECT_LT(rms(many, want), bound);
-  EXPECT_GT(rms(few, want), ratio * rms(many, want));
-  EXPECT_GT(rms(few, most), 4 * rms(many, most));
+  EXPECT_LT(test::rmsDifference(many, want), bound);
+  EXPECT_GT(test::rmsDifference(few, want), ratio * test::rmsDifference(many, want));
+  EXPECT_GT(test::rmsDifference(few, most), 4 * test::rmsDifference(many, most));
 }
 
 TEST(OpennessReference, Corner) {

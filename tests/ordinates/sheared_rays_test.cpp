@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ordinates/random_feet.h"
+#include "ordinates/random_rays.h"
 #include "support/plain_rays.h"
 #include "support/simd_targets.h"
 #include "sweep/near_sets.h"
@@ -16,30 +17,6 @@ namespace {
 using test::RandomNumbers;
 
 constexpr glm::dvec3 kSpacing(1, 0.7, 1.3);
-
-// A level of single solid samples, one in `rarity`.
-Grid<float> specks(glm::ivec3 size, int rarity, RandomNumbers& numbers) {
-  Grid<float> level(size);
-  for (std::size_t i = 0; i < level.count(); ++i) level.data()[i] = numbers.below(rarity) == 0 ? 1.0F : -1.0F;
-  return level;
-}
-
-// Directions whose rays cross most layers of the axis, some along it and some along its diagonals.
-std::vector<RayDirection> directionsAlong(int axis, int towards, int count, RandomNumbers& numbers) {
-  const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
-  std::vector<RayDirection> directions;
-  while (static_cast<int>(directions.size()) < count) {
-    glm::dvec3 w = numbers.direction();
-    const int kind = numbers.below(6);
-    if (kind == 0) w = glm::sign(w) / glm::sqrt(3.0);
-    if (kind == 1) w[axes.row] = 0;
-    const double size = glm::abs(w[axis]);
-    if (size < glm::abs(w[axes.bit]) || size < glm::abs(w[axes.row]) || (w[axis] > 0) != (towards > 0)) continue;
-    directions.push_back({static_cast<float>(w[axes.bit]), static_cast<float>(w[axes.row]), static_cast<float>(w[axis]),
-                          w[axes.bit] / w[axis], w[axes.row] / w[axis], static_cast<float>(0.5 / size)});
-  }
-  return directions;
-}
 
 struct RayCase {
   SolidLattice lattice;
@@ -55,33 +32,55 @@ RayCase randomCase(int i) {
   RandomNumbers numbers(static_cast<std::uint64_t>(i));
   const glm::ivec3 size = kSizes[i % 10];
   RayCase made;
-  const Grid<float> level = specks(size, 1 << (1 + numbers.below(9)), numbers);
+  const Grid<float> level = test::specks(size, 1 << (1 + numbers.below(9)), numbers);
   made.lattice = makeSolidLattice(level.view(), insideSamples(level.view()), 1);
   made.feet = test::randomFeet(size, 300 + numbers.below(20), numbers);
   made.axis = i / 10 % 3;
   made.towards = i / 30 % 2 == 0 ? 1 : -1;
-  made.directions = directionsAlong(made.axis, made.towards, 1 + numbers.below(kRayGroup), numbers);
+  made.directions = test::directionsAlong(made.axis, made.towards, 1 + numbers.below(kRayGroup), numbers);
   return made;
 }
 constexpr int kCases = 180;  // 10 sizes, 3 axes, 2 senses, 3 of each
 
+constexpr float kScale = 1 << 20;
+
 // The sums must equal those of the plain rays. Returns how many points lost something.
-int expectPlainSums(const RayCase& given) {
-  constexpr float kScale = 1 << 20;
+int expectPlainSums(const RayCase& given, int channels = 1, bool visible = false) {
+  // Sums stand that far apart, and whatever is there stays there.
+  constexpr std::size_t kGap = 5;
   RayPoints points(given.feet.size());
   points.sort(given.feet, given.lattice, kSpacing, given.axis);
+  RayTally tally{.channels = channels, .visible = visible, .scale = kScale};
   const std::vector<std::int32_t> want =
-      test::plainRays(given.lattice, kSpacing, given.axis, given.towards, given.directions, points, kScale);
-  std::vector<std::int32_t> got(points.count() + kRayPadding, 0);
-  sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points, kScale, got.data());
-  int blocked = 0, wrong = 0;
-  for (std::size_t i = 0; i < points.count(); ++i) {
-    blocked += want[i] != 0 ? 1 : 0;
-    wrong += want[i] != got[i] ? 1 : 0;
+      test::plainRays(given.lattice, kSpacing, given.axis, given.towards, given.directions, points, tally);
+  const std::size_t stride = points.count() + kRayPadding + kGap;
+  std::vector<std::int32_t> got(stride * static_cast<std::size_t>(channels));
+  for (std::size_t i = 0; i < got.size(); ++i) got[i] = static_cast<std::int32_t>(i);
+  tally.stride = static_cast<std::ptrdiff_t>(stride);
+  tally.sums = got.data();
+  sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points, tally);
+  int nonzero = 0, wrong = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    const std::size_t channel = i / stride, point = i % stride;
+    const std::int32_t added = got[i] - static_cast<std::int32_t>(i);
+    if (point < points.count()) {
+      const std::int32_t expected = want[channel * points.count() + point];
+      nonzero += channel == 0 && expected != 0 ? 1 : 0;
+      wrong += added != expected ? 1 : 0;
+    } else {
+      EXPECT_EQ(added, 0) << "beyond the points of channel " << channel;
+    }
   }
-  EXPECT_EQ(wrong, 0) << "of " << points.count() << " points";
-  for (std::size_t i = points.count(); i < got.size(); ++i) EXPECT_EQ(got[i], 0) << "beyond the points";
-  return blocked;
+  EXPECT_EQ(wrong, 0) << "of " << points.count() << " points in " << channels << " channels";
+  return nonzero;
+}
+
+// A random value in each channel, of either sign.
+RayCase withValues(RayCase given, std::uint64_t seed) {
+  RandomNumbers numbers(seed);
+  for (RayDirection& each : given.directions)
+    for (float& value : each.value) value = static_cast<float>(2 * numbers.uniform() - 1);
+  return given;
 }
 
 TEST(ShearedRays, EqualPlainRays) {
@@ -96,6 +95,24 @@ TEST(ShearedRays, EqualPlainRays) {
   EXPECT_LT(blocked, kCases * 250);
 }
 
+// All numbers of channels, blocked and visible, for every `step`th case. Returns how many sums were not 0.
+int expectPlainChannels(int step) {
+  int nonzero = 0;
+  for (int i = 0; i < kCases; i += step) {
+    SCOPED_TRACE(testing::Message() << "case " << i);
+    const RayCase given = withValues(randomCase(i), static_cast<std::uint64_t>(kCases + i));
+    for (const int channels : {1, 3, 4})
+      for (const bool visible : {false, true}) nonzero += expectPlainSums(given, channels, visible);
+  }
+  return nonzero;
+}
+
+TEST(ShearedRays, ChannelsEqualPlainRays) {
+  // With one and three channels the sums are of values times cosines, with four of values alone, over what is blocked
+  // or over what is visible; channels stand a stride apart, and nothing is written between them.
+  EXPECT_GT(expectPlainChannels(1), kCases * 6 * 100);
+}
+
 TEST(ShearedRays, EqualPlainRaysOnEveryInstructionSet) {
   // Every SIMD target that this machine can run gives the bits of the plain rays.
   const int tried = test::onEverySimdTarget([] {
@@ -103,6 +120,7 @@ TEST(ShearedRays, EqualPlainRaysOnEveryInstructionSet) {
       SCOPED_TRACE(testing::Message() << "case " << i);
       expectPlainSums(randomCase(i));
     }
+    expectPlainChannels(23);
   });
   EXPECT_GE(tried, 1);
 }
@@ -114,8 +132,8 @@ TEST(ShearedRays, AddToWhatIsThere) {
   points.sort(given.feet, given.lattice, kSpacing, given.axis);
   std::vector<std::int32_t> sums(points.count() + kRayPadding, 0);
   const auto sweep = [&] {
-    sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points, 1 << 20,
-              sums.data());
+    sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points,
+              {.scale = kScale, .sums = sums.data()});
   };
   sweep();
   const std::vector<std::int32_t> once = sums;

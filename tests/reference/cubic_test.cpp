@@ -64,6 +64,22 @@ TEST(Cubic, FirstRiseAgainstHalving) {
   RecordProperty("apart", apart);
 }
 
+TEST(Cubic, PositiveShareIsAllButThatOfItsNegative) {
+  // What is above 0 and what is below fill [0, 1], but for a double root, which rounding opens as wide as its own
+  // square root; and of a cubic that only rises the share is what lies beyond the rise.
+  constexpr double kTouch = 0x1p-24;
+  int rising = 0;
+  for (int i = 0; i < kCubics; ++i) {
+    const Cubic f = randomCubic(static_cast<std::uint64_t>(i));
+    const double above = positiveShare(f);
+    ASSERT_NEAR(above + positiveShare(-f), 1, kTouch) << i;
+    if (!(f.b0 < 0 && f.b0 <= f.b1 && f.b1 <= f.b2 && f.b2 <= f.b3 && f.b3 > 0)) continue;
+    ++rising;
+    ASSERT_NEAR(above, 1 - *firstRise(f), 0x1p-50) << i;
+  }
+  EXPECT_GT(rising, kCubics / 200);
+}
+
 TEST(Cubic, Ends) {
   // The rise is at 0 if f starts above 0 or rises from 0, at 1 at the latest if it ends above 0, and nowhere if f only
   // reaches 0.

@@ -13,7 +13,8 @@ set(ISOLUME_REFERENCE_TESTS
   reference/brute_force.cpp
   reference/brute_force_test.cpp
   reference/cubic_test.cpp
-  reference/hit_judge.cpp)
+  reference/hit_judge.cpp
+  reference/length_inside_test.cpp)
 if(TARGET isolume_test_embree)
   list(APPEND ISOLUME_REFERENCE_TESTS reference/embree_test.cpp)
 endif()

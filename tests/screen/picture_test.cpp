@@ -70,14 +70,14 @@ TEST_F(Pictures, ConvexSolidIsOpen) {
     if (estimator == ScreenEstimator::loosArea) continue;  // loses some of a tilted plane: closed_form_test.cpp
     const Frame frame = draw(scene, frameScene(scene), screenSettings(estimator, {100, 80}));
     Differences flat;
-    for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+    for (std::size_t i = 0; i < frame.light.size(); ++i) {
       const glm::vec3 p = frame.position[i];
       if (!std::isfinite(frame.depth[i]) || glm::dot(glm::dvec3(frame.normal[i]), normal) < 0.9999) continue;
       const bool inside = std::min({p.x, p.y, 47 - p.x, 47 - p.y, p.z, 47 - p.z}) > kRadius;
       if (estimator != ScreenEstimator::crytek)
-        flat.add(frame.ambient[i] - 1);
+        flat.add(frame.light[i].r - 1);
       else if (inside)
-        flat.add(frame.ambient[i] - 0.5);
+        flat.add(frame.light[i].r - 0.5);
     }
     ASSERT_GT(flat.count, 500);
     EXPECT_LT(flat.largest, estimator == ScreenEstimator::crytek ? 0.03 : 2e-3) << screenEstimatorName(estimator);
@@ -88,12 +88,12 @@ TEST_F(Pictures, ConvexSolidIsOpen) {
 template <class Truth>
 Differences floorDifferences(const Frame& frame, Truth truth) {
   Differences differences;
-  for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+  for (std::size_t i = 0; i < frame.light.size(); ++i) {
     const int x = static_cast<int>(i) % frame.size.x, y = static_cast<int>(i) / frame.size.x;
     const int border = std::min({x, y, frame.size.x - 1 - x, frame.size.y - 1 - y});
     const double a = (kWallX - frame.position[i].x) / kRadius;
     if (border < frame.size.x / 5 || frame.normal[i].z < 0.999 || a < 0.2) continue;
-    differences.add(frame.ambient[i] - truth(a));
+    differences.add(frame.light[i].r - truth(a));
   }
   return differences;
 }
@@ -150,10 +150,10 @@ TEST_F(Pictures, GtaoBeforeAWall) {
 double difference(const Frame& a, const Frame& b, int side) {
   Differences differences;
   const auto last = static_cast<float>(side - 1);
-  for (std::size_t i = 0; i < a.ambient.size(); ++i) {
+  for (std::size_t i = 0; i < a.light.size(); ++i) {
     const glm::vec3 p = a.position[i];
     if (std::isfinite(a.depth[i]) && std::min({p.x, p.y, last - p.x, last - p.y}) > kRadius)
-      differences.add(a.ambient[i] - b.ambient[i]);
+      differences.add(a.light[i].r - b.light[i].r);
   }
   return differences.rms();
 }
@@ -195,9 +195,9 @@ TEST_F(Pictures, CharacteristicFunctionsAgreeOnTerrain) {
 double meanAmbient(const Frame& frame) {
   double sum = 0;
   int count = 0;
-  for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+  for (std::size_t i = 0; i < frame.light.size(); ++i) {
     if (!std::isfinite(frame.depth[i])) continue;
-    sum += frame.ambient[i];
+    sum += frame.light[i].r;
     ++count;
   }
   return sum / count;
@@ -231,7 +231,7 @@ TEST_F(Pictures, RollTurnsThePicture) {
         const auto to = static_cast<std::size_t>((kSide - 1 - x) * kSide + y);
         if (upright.depth[from] == rolled.depth[to]) continue;  // both see nothing
         ASSERT_NEAR(upright.depth[from], rolled.depth[to], 1e-3);
-        differences.add(upright.ambient[from] - rolled.ambient[to]);
+        differences.add(upright.light[from].r - rolled.light[to].r);
       }
     }
     EXPECT_LT(differences.rms(), 0.02) << screenEstimatorName(estimator);
@@ -252,7 +252,7 @@ TEST_F(Pictures, LayersAreThoseOfAnyPicture) {
   EXPECT_TRUE(same(local.position, screen.position));
   EXPECT_TRUE(same(local.normal, screen.normal));
   EXPECT_TRUE(same(local.depth, screen.depth));
-  ASSERT_EQ(screen.ambient.size(), screen.depth.size());
+  ASSERT_EQ(screen.light.size(), screen.depth.size());
 }
 
 TEST_F(Pictures, ColourIsAlbedoTimesOpenness) {
@@ -267,7 +267,7 @@ TEST_F(Pictures, ColourIsAlbedoTimesOpenness) {
   const Frame frame = draw(scene, camera, settings);
   for (std::size_t i = 0; i < frame.color.size(); ++i) {
     const bool hit = std::isfinite(frame.depth[i]);
-    const float light = std::sqrt(frame.ambient[i]);
+    const float light = std::sqrt(frame.light[i].r);
     const glm::vec4 want = hit ? glm::vec4(settings.albedo * light, 1) : glm::vec4(0, 0.5f, 0, 0.5f);
     ASSERT_LT(glm::distance(frame.color[i], want), 1e-5) << i;
   }
@@ -287,10 +287,10 @@ TEST_F(Pictures, FilterTakesThePatternAway) {
   camera.heightWorld = 40;
   const auto roughness = [](const Frame& frame) {  // of neighbours along rows, on the floor near the wall
     Differences differences;
-    for (std::size_t i = 0; i + 1 < frame.ambient.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < frame.light.size(); ++i) {
       const bool flat = frame.normal[i].z > 0.999 && frame.normal[i + 1].z > 0.999;
       if (flat && frame.position[i].x > kWallX - 0.5 * kRadius)
-        differences.add(frame.ambient[i] - frame.ambient[i + 1]);
+        differences.add(frame.light[i].r - frame.light[i + 1].r);
     }
     return differences.rms();
   };
@@ -314,8 +314,8 @@ TEST_F(Pictures, SecondRadiusMultiplies) {
     const Frame once = draw(scene, roomCamera(), settings);
     settings.screen->secondRadius = 1;
     const Frame twice = draw(scene, roomCamera(), settings);
-    for (std::size_t i = 0; i < once.ambient.size(); ++i)
-      ASSERT_NEAR(twice.ambient[i], once.ambient[i] * once.ambient[i], 1e-5);
+    for (std::size_t i = 0; i < once.light.size(); ++i)
+      ASSERT_NEAR(twice.light[i].r, once.light[i].r * once.light[i].r, 1e-5);
   }
 }
 
@@ -331,11 +331,11 @@ TEST_F(Pictures, NeighboursLightWhatIsClosed) {
   const Frame closed = draw(room, roomCamera(), plain), open = draw(room, roomCamera(), lit);
   int lighted = 0;
   for (std::size_t i = 0; i < open.color.size(); ++i) {
-    ASSERT_EQ(open.ambient[i], closed.ambient[i]);
+    ASSERT_EQ(open.light[i].r, closed.light[i].r);
     if (!std::isfinite(open.depth[i])) continue;
     const glm::vec3 gained = glm::vec3(open.color[i] - closed.color[i]) / plain.albedo;
     ASSERT_GE(gained.r, 0);
-    ASSERT_LE(gained.r, 1 - open.ambient[i] + 1e-6f);
+    ASSERT_LE(gained.r, 1 - open.light[i].r + 1e-6f);
     ASSERT_NEAR(gained.g, gained.r / 2, 1e-6);
     ASSERT_NEAR(gained.b, gained.r / 4, 1e-6);
     lighted += gained.r > 0.05f ? 1 : 0;
@@ -382,14 +382,14 @@ TEST_F(Pictures, FilterKeepsSurfacesApart) {
   settings.screen->interleaving = 8;
   const Frame frame = draw(makeStep(), stepCamera(), settings);
   int top = 0, dark = 0;
-  for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+  for (std::size_t i = 0; i < frame.light.size(); ++i) {
     if (frame.normal[i].z < 0.999) continue;
     const bool onTop = frame.position[i].z > kFloorHeight + 2;
     if (onTop) {
-      ASSERT_GT(frame.ambient[i], 0.998);
+      ASSERT_GT(frame.light[i].r, 0.998);
     }
     top += onTop ? 1 : 0;
-    dark += !onTop && frame.ambient[i] < 0.95 ? 1 : 0;
+    dark += !onTop && frame.light[i].r < 0.95 ? 1 : 0;
   }
   EXPECT_GT(top, 500);
   EXPECT_GT(dark, 100);
@@ -409,10 +409,10 @@ TEST_F(Pictures, UnderACeiling) {
   settings.screen->surface = Characteristic::implicit;
   const Frame frame = draw(scene, camera, settings);
   Differences differences;
-  for (std::size_t i = 0; i < frame.ambient.size(); ++i) {
+  for (std::size_t i = 0; i < frame.light.size(); ++i) {
     const glm::vec3 p = frame.position[i];
     if (frame.normal[i].z > 0.999 && std::min({p.x, p.y, 63 - p.x, 63 - p.y}) > kRadius)
-      differences.add(frame.ambient[i] - volumetricTruth(kGap / kRadius - 0.5));
+      differences.add(frame.light[i].r - volumetricTruth(kGap / kRadius - 0.5));
   }
   ASSERT_GT(differences.count, 200);
   EXPECT_LT(differences.largest, 0.03);
@@ -435,7 +435,7 @@ TEST_F(Pictures, NothingIsLeftOfThePictureBefore) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
   };
   EXPECT_TRUE(same(first.color, again.color));
-  EXPECT_TRUE(same(first.ambient, again.ambient));
+  EXPECT_TRUE(same(first.light, again.light));
   EXPECT_TRUE(same(first.normal, again.normal));
   EXPECT_TRUE(same(plain.color, plainAgain.color));
 }

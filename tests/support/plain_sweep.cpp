@@ -99,7 +99,12 @@ float plainUpdate(glm::vec3 neighbours, glm::dvec3 spacing) {
   return std::bit_cast<float>(bits);
 }
 
-PlainFields plainSweep(GridView<const float> level, int rounds, DistanceStart kind) {
+float plainTransmittance(float distance, float opacity) {
+  if (opacity == 1) return std::min(std::max(distance + 0.5F, 0.0F), 1.0F);
+  return std::min(std::max(opacity * distance + (1 - opacity / 2), 1 - opacity), 1.0F);
+}
+
+PlainFields plainSweep(GridView<const float> level, int rounds, DistanceStart kind, float opacity) {
   const glm::ivec3 n = level.size;
   const double smallest = smallestSpacing(level.spacing);
   const glm::dvec3 h = level.spacing / smallest;
@@ -129,7 +134,7 @@ PlainFields plainSweep(GridView<const float> level, int rounds, DistanceStart ki
               const std::size_t from = level.index(q.x, q.y, q.z);
               distance[axis] = state.magnitude[from];
               const float signedDistance = state.inside(q.x, q.y, q.z) ? -distance[axis] : distance[axis];
-              light[axis] = visibility[from] * std::min(std::max(signedDistance + 0.5F, 0.0F), 1.0F);
+              light[axis] = visibility[from] * plainTransmittance(signedDistance, opacity);
             }
             float& magnitude = state.magnitude[at];
             const glm::vec3 beyond = distance + state.h;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 namespace isolume::test {
 

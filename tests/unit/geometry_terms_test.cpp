@@ -27,7 +27,7 @@ std::vector<glm::dvec3> testNormals() {
 }
 
 // Midpoint rule in (cos theta, phi) over one octant.
-double integrated(int octant, glm::dvec3 normal, int steps) {
+double integrated(int octant, glm::dvec3 normal, GeometryTerm term, int steps) {
   const glm::ivec3 sign = kOctants[static_cast<std::size_t>(octant)].towardsLight();
   double sum = 0;
   for (int i = 0; i < steps; ++i) {
@@ -36,31 +36,43 @@ double integrated(int octant, glm::dvec3 normal, int steps) {
     for (int j = 0; j < steps; ++j) {
       const double phi = (j + 0.5) / steps * std::numbers::pi / 2;
       const glm::dvec3 direction(sign.x * r * std::cos(phi), sign.y * r * std::sin(phi), sign.z * z);
-      sum += std::max(glm::dot(normal, direction), 0.0);
+      const double cosine = glm::dot(normal, direction);
+      sum += term == GeometryTerm::front ? std::max(cosine, 0.0) : std::abs(cosine);
     }
   }
   return sum / (static_cast<double>(steps) * steps) * std::numbers::pi / 2;
 }
 
 TEST(GeometryTerms, EqualTheirIntegral) {
-  // G_s(N) equals the numerical integral of max(N . w, 0) over octant s.
+  // G_s(N) equals the numerical integral over octant s of max(N . w, 0), or of |N . w|.
   constexpr int kSteps = 400;  // the midpoint rule is then good to about 1e-5
   constexpr double kBound = 1e-4;
   const std::vector<glm::dvec3> normals = testNormals();
   for (std::size_t i = 0; i < normals.size(); i += 7) {
-    for (int s = 0; s < kOctantCount; ++s) {
-      EXPECT_NEAR(octantGeometryTerm(s, normals[i]), integrated(s, normals[i], kSteps), kBound);
-    }
+    for (int s = 0; s < kOctantCount; ++s)
+      for (const GeometryTerm term : {GeometryTerm::front, GeometryTerm::bothSides})
+        EXPECT_NEAR(octantGeometryTerm(s, normals[i], term), integrated(s, normals[i], term, kSteps), kBound);
   }
 }
 
 TEST(GeometryTerms, SumToPi) {
-  // The clamped cosine integrates to pi over the sphere, whatever the normal.
-  for (const glm::dvec3& normal : testNormals()) {
-    double sum = 0;
-    for (int s = 0; s < kOctantCount; ++s) sum += octantGeometryTerm(s, normal);
-    EXPECT_NEAR(sum, std::numbers::pi, 1e-12);
-  }
+  // The clamped cosine integrates to pi over the sphere, whatever the normal, and its magnitude to twice that.
+  for (const glm::dvec3& normal : testNormals())
+    for (const GeometryTerm term : {GeometryTerm::front, GeometryTerm::bothSides}) {
+      double sum = 0;
+      for (int s = 0; s < kOctantCount; ++s) sum += octantGeometryTerm(s, normal, term);
+      EXPECT_NEAR(sum, (term == GeometryTerm::front ? 1 : 2) * std::numbers::pi, 1e-12);
+    }
+}
+
+TEST(GeometryTerms, OfBothSidesDoNotTellThemApart) {
+  // |N . w| is that of -N, and an octant counts as much as the one opposite.
+  for (const glm::dvec3& normal : testNormals())
+    for (int s = 0; s < kOctantCount; ++s) {
+      const double term = octantGeometryTerm(s, normal, GeometryTerm::bothSides);
+      EXPECT_EQ(octantGeometryTerm(s, -normal, GeometryTerm::bothSides), term);
+      EXPECT_NEAR(octantGeometryTerm(7 - s, normal, GeometryTerm::bothSides), term, 1e-14);
+    }
 }
 
 TEST(GeometryTerms, KnownValues) {
@@ -89,16 +101,18 @@ glm::dvec4 lookUp(const GeometryTermTables& tables, int table, glm::dvec3 normal
 
 TEST(GeometryTermTables, InterpolatedLookupEqualsTheClosedForm) {
   // Bilinear lookup at any normal, mirrored for N.z < 0, is within 1e-4 of G_s(N), the horizon of the table included.
-  const GeometryTermTables tables = makeGeometryTermTables();
-  double worst = 0;
-  for (const glm::dvec3& normal : testNormals()) {
-    const bool down = normal.z < 0;
-    for (int s = 0; s < kOctantCount; ++s) {
-      const double got = lookUp(tables, down ? 1 - s / 4 : s / 4, normal)[s % 4];
-      worst = std::max(worst, std::abs(got - octantGeometryTerm(s, normal)));
+  for (const GeometryTerm term : {GeometryTerm::front, GeometryTerm::bothSides}) {
+    const GeometryTermTables tables = makeGeometryTermTables(kGeometryTableSize, term);
+    double worst = 0;
+    for (const glm::dvec3& normal : testNormals()) {
+      const bool down = normal.z < 0;
+      for (int s = 0; s < kOctantCount; ++s) {
+        const double got = lookUp(tables, down ? 1 - s / 4 : s / 4, normal)[s % 4];
+        worst = std::max(worst, std::abs(got - octantGeometryTerm(s, normal, term)));
+      }
     }
+    EXPECT_LT(worst, 1e-4);
   }
-  EXPECT_LT(worst, 1e-4);
 }
 
 TEST(GeometryTermTables, CoarseTablesAreWorse) {

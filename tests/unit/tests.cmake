@@ -6,7 +6,9 @@ isolume_test(test_sweep
   unit/distance_test.cpp
   unit/fixed_point_test.cpp
   unit/band_test.cpp
+  unit/rotated_shadow_test.cpp
   unit/visibility_test.cpp
+  unit/combined_visibility_test.cpp
   unit/layout_test.cpp
   unit/large_index_test.cpp
   support/plain_start.cpp

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/octant_openness.h"
+#include "support/plain_sweep.h"
 #include "support/simd_targets.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
@@ -81,6 +82,51 @@ TEST(Visibility, MirroredScenesAreMirroredBitForBit) {
   }
 }
 
+TEST(Visibility, ThroughAClearSolidIsExactlyOne) {
+  // At opacity 0 all light arrives everywhere, to the last bit, swept with the distance and through it.
+  for (const glm::dvec3& spacing : {glm::dvec3(1), glm::dvec3(0.957, 0.957, 1.5)}) {
+    const Grid<float> level = noiseLevel({70, 33, 37}, spacing, 22);
+    const SweptFields fields = sweepOcclusion(level.view(), {.visibility = VisibilityStorage::float32, .opacity = 0});
+    const OctantVisibility alone =
+        sweepVisibility(std::as_const(fields.distance).view(), VisibilityStorage::float32, 0);
+    for (std::size_t s = 0; s < kOctants.size(); ++s)
+      for (std::size_t i = 0; i < level.count(); ++i) {
+        ASSERT_EQ(fields.visibility.octants[s].data()[i], 1.0F);
+        ASSERT_EQ(alone.octants[s].data()[i], 1.0F);
+      }
+  }
+}
+
+TEST(Visibility, EmptySpaceAroundATranslucentSolidIsExactlyOne) {
+  // Whatever the opacity, light that meets no voxel of the surface arrives undimmed, to the last bit.
+  for (const float opacity : {1e-9F, 1e-4F, 0.1F, 0.3F, 0.77F, 1.0F}) {
+    const auto level = sampleLevel({40, 20, 30}, glm::dvec3(1), [](glm::dvec3 p) { return 7.0 - p.z; });
+    const SweptFields fields =
+        sweepOcclusion(level.view(), {.visibility = VisibilityStorage::float32, .opacity = opacity});
+    for (std::size_t s = 0; s < kOctants.size(); ++s) {
+      if (kOctants[s].towardsLight().z < 0) continue;
+      EXPECT_EQ(fields.visibility.octants[s].view()(20, 10, 12), 1.0F) << opacity;
+    }
+  }
+}
+
+TEST(Visibility, FallsOffInATranslucentSolidAsEq8Says) {
+  // Deep in a solid each voxel lets 1 - alpha pass: away from the border V of a layer is (1 - alpha) (2 V + V above) /
+  // 3, so that it falls by the factor t / (3 - 2 t), t = 1 - alpha, per layer. Light through the thin far side is seen.
+  const auto level = sampleLevel({90, 90, 24}, glm::dvec3(1), [](glm::dvec3 p) { return 20.0 - p.z; });
+  for (const float opacity : {0.05F, 0.3F, 0.9F}) {
+    const double t = 1 - static_cast<double>(opacity), factor = t / (3 - 2 * t);
+    const SweptFields fields =
+        sweepOcclusion(level.view(), {.visibility = VisibilityStorage::float32, .opacity = opacity});
+    for (std::size_t s = 0; s < kOctants.size(); ++s) {
+      if (kOctants[s].towardsLight().z < 0) continue;
+      const auto v = fields.visibility.octants[s].view();
+      for (int z = 14; z < 18; ++z) EXPECT_NEAR(v(45, 45, z), factor * v(45, 45, z + 1), 1e-5) << opacity;
+      EXPECT_GT(v(45, 45, 17), 0);
+    }
+  }
+}
+
 TEST(Visibility, BehindAWallIsZeroAndInFrontIsOne) {
   // A thick slab across z: light from above does not pass, light from above reaches everything above undimmed.
   const auto level = sampleLevel({30, 30, 30}, glm::dvec3(1), [](glm::dvec3 p) { return 4.0 - std::abs(p.z - 15.0); });
@@ -145,8 +191,8 @@ TEST(Visibility, FaithfulModeDarkensAnOpenPlaneByItsDocumentedBias) {
   EXPECT_NEAR(above.mean, 0.904, 0.01);
 }
 
-// [Singh10] Eq. 6 and 7 through given distances, in plain loops: light enters at the border.
-std::vector<double> plainVisibility(GridView<const float> distance, glm::ivec3 sign) {
+// [Singh10] Eq. 6 to 8 through given distances, in plain loops: light enters at the border.
+std::vector<double> plainVisibility(GridView<const float> distance, glm::ivec3 sign, double opacity) {
   const glm::ivec3 n = distance.size;
   const double smallest = smallestSpacing(distance.spacing);
   const glm::dvec3 weight =
@@ -161,10 +207,12 @@ std::vector<double> plainVisibility(GridView<const float> distance, glm::ivec3 s
           glm::ivec3 q = p;
           q[axis] -= sign[axis];
           const bool within = q[axis] >= 0 && q[axis] < n[axis];
-          const double tau = within ? std::clamp(distance(q.x, q.y, q.z) / smallest + 0.5, 0.0, 1.0) *
-                                          visibility[distance.index(q.x, q.y, q.z)]
-                                    : 1;
-          sum += weight[axis] * tau;
+          double light = 1;
+          if (within) {
+            const double tau = std::clamp(distance(q.x, q.y, q.z) / smallest + 0.5, 0.0, 1.0);
+            light = (1 - (1 - tau) * opacity) * visibility[distance.index(q.x, q.y, q.z)];
+          }
+          sum += weight[axis] * light;
         }
         visibility[distance.index(p.x, p.y, p.z)] = sum;
       }
@@ -172,27 +220,29 @@ std::vector<double> plainVisibility(GridView<const float> distance, glm::ivec3 s
 }
 
 TEST(Visibility, AloneItIsEquationSixThroughTheGivenDistances) {
-  // With distances from anywhere, here random ones, V is the plain recursion; distances are not changed by the sweep.
-  // A ray of 90 steps gathers 90 roundings of 2^-24 for each of its few operations.
+  // With distances from anywhere, here random ones, V is the plain recursion of any opacity; distances are not changed
+  // by the sweep. A ray of 90 steps gathers 90 roundings of 2^-24 for each of its few operations.
   constexpr double kRounding = 3e-5;
   for (const glm::dvec3& spacing : {glm::dvec3(1), glm::dvec3(0.4, 1.1, 0.7)}) {
     Grid<float> distance = noiseLevel({31, 26, 37}, spacing, 8);
     for (std::size_t i = 0; i < distance.count(); ++i) distance.data()[i] += 0.4F;  // more open than not
-    const OctantVisibility swept = sweepVisibility(distance.view(), VisibilityStorage::float32);
-    double least = 1;
-    for (std::size_t s = 0; s < kOctants.size(); ++s) {
-      const std::vector<double> plain = plainVisibility(distance.view(), kOctants[s].sweep);
-      for (std::size_t i = 0; i < plain.size(); ++i) {
-        ASSERT_NEAR(swept.octants[s].data()[i], plain[i], kRounding) << "octant " << s;
-        least = std::min(least, plain[i]);
+    for (const float opacity : {1.0F, 0.6F, 0.1F}) {
+      const OctantVisibility swept = sweepVisibility(distance.view(), VisibilityStorage::float32, opacity);
+      double least = 1;
+      for (std::size_t s = 0; s < kOctants.size(); ++s) {
+        const std::vector<double> plain = plainVisibility(distance.view(), kOctants[s].sweep, opacity);
+        for (std::size_t i = 0; i < plain.size(); ++i) {
+          ASSERT_NEAR(swept.octants[s].data()[i], plain[i], kRounding) << "octant " << s;
+          least = std::min(least, plain[i]);
+        }
       }
+      EXPECT_LT(least, 1 - opacity / 2);
     }
-    EXPECT_LT(least, 0.5);
   }
 }
 
 // The same in float and in the order of the vectorised sweep.
-std::vector<float> plainVisibilityInFloat(GridView<const float> distance, glm::ivec3 sign) {
+std::vector<float> plainVisibilityInFloat(GridView<const float> distance, glm::ivec3 sign, float opacity) {
   const glm::ivec3 n = distance.size;
   const double smallest = smallestSpacing(distance.spacing);
   const glm::dvec3 h = distance.spacing / smallest;
@@ -214,8 +264,8 @@ std::vector<float> plainVisibilityInFloat(GridView<const float> distance, glm::i
           const float given = distance(q.x, q.y, q.z);
           // A start value: its last bit is set (surface_start.h).
           const float magnitude = withFixedBit(std::min(std::abs(given) * perSmallest, 2.0F), true);
-          const float tau = std::clamp(std::copysign(magnitude, given) + 0.5F, 0.0F, 1.0F);
-          light[axis] = visibility[distance.index(q.x, q.y, q.z)] * tau;
+          light[axis] = visibility[distance.index(q.x, q.y, q.z)] *
+                        test::plainTransmittance(std::copysign(magnitude, given), opacity);
         }
         const float sum = (weight.x * light.x + weight.y * light.y) + weight.z * light.z;
         visibility[distance.index(p.x, p.y, p.z)] = sum >= kDarkest ? sum : 0;
@@ -224,7 +274,8 @@ std::vector<float> plainVisibilityInFloat(GridView<const float> distance, glm::i
 }
 
 TEST(Visibility, AloneItHasTheBitsOfPlainLoopsOnEveryInstructionSet) {
-  // Light alone through given distances, infinite ones too, equals plain loops bit for bit, for any size and spacing.
+  // Light alone through given distances, infinite ones too, equals plain loops bit for bit, for any size, spacing
+  // and opacity.
   const int tried = test::onEverySimdTarget([] {
     for (const glm::ivec3& size : {glm::ivec3(1, 1, 1), glm::ivec3(3, 40, 9), glm::ivec3(53, 37, 22)})
       for (const glm::dvec3& spacing : {glm::dvec3(1), glm::dvec3(0.3, 1.1, 0.7), glm::dvec3(1e-6, 2e-6, 1e-6)}) {
@@ -234,11 +285,13 @@ TEST(Visibility, AloneItHasTheBitsOfPlainLoopsOnEveryInstructionSet) {
           value = (value + 0.4F) * static_cast<float>(spacing.x);
           if (i % 50 == 7) value = std::copysign(std::numeric_limits<float>::infinity(), value);
         }
-        const OctantVisibility swept = sweepVisibility(distance.view(), VisibilityStorage::float32);
-        for (std::size_t s = 0; s < kOctants.size(); ++s) {
-          const std::vector<float> plain = plainVisibilityInFloat(distance.view(), kOctants[s].sweep);
-          EXPECT_EQ(std::memcmp(swept.octants[s].data(), plain.data(), plain.size() * sizeof(float)), 0)
-              << "octant " << s;
+        for (const float opacity : {1.0F, 0.35F}) {
+          const OctantVisibility swept = sweepVisibility(distance.view(), VisibilityStorage::float32, opacity);
+          for (std::size_t s = 0; s < kOctants.size(); ++s) {
+            const std::vector<float> plain = plainVisibilityInFloat(distance.view(), kOctants[s].sweep, opacity);
+            EXPECT_EQ(std::memcmp(swept.octants[s].data(), plain.data(), plain.size() * sizeof(float)), 0)
+                << "octant " << s;
+          }
         }
       }
   });

@@ -133,7 +133,7 @@ Frame EmbreeOcclusion::render(const Camera& camera, glm::ivec2 size, int rays) c
   Frame frame;
   frame.size = size;
   frame.color.assign(count, glm::vec4(0));
-  frame.ambient.assign(count, 1.0F);
+  frame.light.assign(count, glm::vec3(1));
   frame.normal.assign(count, glm::vec3(0));
   frame.position.assign(count, glm::vec3(std::numeric_limits<float>::quiet_NaN()));
   frame.depth.assign(count, kInfinity);
@@ -164,8 +164,8 @@ Frame EmbreeOcclusion::render(const Camera& camera, glm::ivec2 size, int rays) c
       frame.normal[i] = normal;
       frame.position[i] = interpolate(impl_->mesh.points);
       frame.depth[i] = query.ray.tfar;  // the direction's part along the view axis is 1
-      frame.ambient[i] = impl_->openness(frame.position[i], normal, points, rotationOf(i));
-      frame.color[i] = glm::vec4(glm::vec3(frame.ambient[i]), 1);
+      frame.light[i] = glm::vec3(impl_->openness(frame.position[i], normal, points, rotationOf(i)));
+      frame.color[i] = glm::vec4(frame.light[i], 1);
     }
   });
   return frame;

@@ -72,12 +72,12 @@ void runOnce(const Surface& surface, const Camera& camera, glm::ivec2 size, Time
     if (octants)
       for (std::size_t i = 0; i < fields.octants.size(); ++i) fields.octants[i] = swept.visibility.packed[i].view();
     else
-      fields.openness = std::as_const(openness).view();
+      fields.lights = {{std::as_const(openness).view()}};
     context = makeContext();
     renderer.emplace(*context).upload(fields);
   }));
   const RenderSettings settings{.size = size,
-                                .shading = octants ? Shading::octants : Shading::openness,
+                                .shading = octants ? Shading::octants : Shading::lights,
                                 .occlusionOffsetVoxels = static_cast<float>(timed.setting.offset)};
   timed.firstFrame.push_back(secondsOf([&] { renderer->render(camera, settings); }));
   timed.frame.push_back(secondsOf([&] { renderer->render(camera, settings); }));

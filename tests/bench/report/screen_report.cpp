@@ -58,11 +58,11 @@ struct Error {
   double rmse = 0, bias = 0;
 };
 
-Error errorOf(const std::vector<float>& got, const std::vector<double>& want) {
+Error errorOf(const std::vector<glm::vec3>& got, const std::vector<double>& want) {
   double squares = 0, sum = 0, count = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
     if (std::isnan(want[i])) continue;
-    const double difference = got[i] - want[i];
+    const double difference = got[i].r - want[i];
     squares += difference * difference;
     sum += difference;
     count += 1;
@@ -99,8 +99,8 @@ class Judge {
     RenderSettings settings{.size = size_, .shading = Shading::local, .screen = screen, .layers = true};
     const Frame drawn = renderer_.render(camera_, settings);
     const ScreenTruth truth = screenTruth(screen);
-    const Error own = errorOf(drawn.ambient, truthOf(truth, screen.radiusWorld));
-    const Error ambient = errorOf(drawn.ambient, ambient_);
+    const Error own = errorOf(drawn.light, truthOf(truth, screen.radiusWorld));
+    const Error ambient = errorOf(drawn.light, ambient_);
     nlohmann::ordered_json row = screenSettings(screen);
     row["milliseconds"] = milliseconds(settings);
     row["integral"] = screenTruthName(truth);

@@ -1,0 +1,20 @@
+// The uniforms and the program of light fields.
+#pragma once
+
+#include <vector>
+
+#include "gl_objects.h"
+#include "light_field.h"
+#include "light_uniforms.h"
+#include "renderer.h"
+#include "view.h"
+
+namespace isolume {
+
+shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, const RenderSettings& settings,
+                                        const GridFrame& grid);
+
+/// march_lights for that many fields, up to kMostLightFields, and suns, up to kMostSuns: loops of known length.
+GlProgram buildLightProgram(std::size_t fields, std::size_t suns);
+
+}  // namespace isolume

@@ -1,0 +1,3 @@
+// How many lights of each kind a program draws; its builder replaces this text (raymarch/lights.h).
+const int kLightFields = 1;
+const int kSuns = 1;

@@ -1,0 +1,40 @@
+#version 450 core
+// Light as sweeps give it, at the samples around the hit (sweep/ordinates), times its colour.
+#include "lib/disc_light.glsl"
+#include "march/light_counts.glsl"
+#include "march/scene.glsl"
+#include "march/shadow.glsl"
+#include "shared/light_uniforms.h"
+
+layout(std140, binding = 1) uniform LightBlock { LightUniforms lights; };
+layout(binding = 8) uniform sampler2DArray lightTextures[max(kLightFields, 1)];
+
+// Trilinear, weighed by hand: filters round their weights to 8 bits. All corners of a cell that the surface crosses hold
+// a value, and so do all solid samples on the border, where caps are hit.
+float lightAt(sampler2DArray field, vec2 centre, float layer, vec3 weight) {
+  vec4 sides[2];
+  for (int z = 0; z < 2; ++z) sides[z] = textureGather(field, vec3(centre, layer + float(z))).wzxy;
+  vec4 texels = mix(sides[0], sides[1], weight.z);
+  vec2 alongX = mix(texels.xz, texels.yw, weight.x);
+  return mix(alongX.x, alongX.y, weight.y);
+}
+
+vec3 hitLight(vec3 hit, vec3 normal, vec3 viewer) {
+  vec3 low = min(floor(hit), vec3(frame.gridSize.xyz - 2));
+  vec2 centre = (low.xy + 1.0f) / vec2(frame.gridSize.xy);
+  vec3 sum = lights.head.rgb * abs(dot(normal, viewer));
+  for (int i = 0; i < kLightFields; ++i) {
+    float light = lightAt(lightTextures[i], centre, low.z, hit - low);
+    vec4 disc = lights.disc[i];
+    if (disc.w > 0.0f) light *= discCosine(dot(normal, disc.xyz), disc.w);
+    sum += light * lights.color[i].rgb;
+  }
+  for (int i = 0; i < kSuns; ++i) {
+    vec3 sun = lights.sun[i].xyz;
+    float cosine = max(dot(normal, sun), 0.0f);
+    sum += cosine * lightVisibility(hit, normal, sun / frame.scale.xyz) * lights.sunColor[i].rgb;
+  }
+  return sum;
+}
+
+#include "march/main.glsl"

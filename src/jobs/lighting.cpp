@@ -1,0 +1,226 @@
+#include "src/jobs/lighting.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+#include "raymarch/view.h"
+#include "src/jobs/environment_map.h"
+#include "sweep/ordinates/inter_reflection.h"
+#include "sweep/ordinates/sky_ordinates.h"
+#include "sweep/ordinates/translucency.h"
+#include "sweep/rotated_shadow.h"
+
+namespace isolume {
+namespace {
+
+/// Directions over a disc: as dense as this many over the sphere, and at least kLeastDisc. A disc of 5 degrees has 62.
+constexpr double kDiscDensity = 32768;
+constexpr int kLeastDisc = 32;
+/// A sun that is a point: what it adds to reflections, and the cosine of a turned grid.
+constexpr double kPointDegrees = 0.25;
+/// World units; of a solid that holds nothing back.
+constexpr double kNoOpacity = 1e30;
+
+bool isGrey(glm::vec3 color) { return color.r == color.g && color.g == color.b; }
+
+glm::dvec3 sunDirection(const LightRequest& sun, const Camera& camera) {
+  if (!sun.fromCamera) return worldDirection(sun);
+  const double azimuth = glm::radians(sun.azimuthDegrees), elevation = glm::radians(sun.elevationDegrees);
+  const CameraAxes axes = cameraAxes(camera);
+  return std::cos(elevation) * (std::sin(azimuth) * axes.right - std::cos(azimuth) * axes.forward) +
+         std::sin(elevation) * axes.up;
+}
+
+int discOrdinates(double radiusDegrees) {
+  const double share = (1 - std::cos(glm::radians(radiusDegrees))) / 2;
+  return std::clamp(static_cast<int>(kDiscDensity * share), kLeastDisc, kMostOrdinates);
+}
+
+/// The sweeps of one picture, one light after the other.
+class LightingSweep {
+ public:
+  LightingSweep(const LightingRequest& request, const OrdinateOptions& ordinates, const SweptScene& scene,
+                const Camera& camera)
+      : request_(request),
+        count_(ordinates.ordinates),
+        level_(scene.surface.level.view()),
+        distance_(scene.swept.distance.view()),
+        camera_(camera),
+        exposure_(static_cast<float>(std::exp2(request.exposure))),
+        opacity_(request.opacity.value_or(1)),
+        // Carried rays need a lattice of the samples.
+        rays_(level_, distance_, opacity_ < 1 ? 1 : ordinates.refinement),
+        worldFromAxes_(makeGridFrame(scene.surface.worldFromGrid).worldFromAxes) {}
+
+  void addLight(const LightRequest& light) {
+    const glm::vec3 color = exposure_ * light.color;
+    if (light.kind == LightKind::head) swept_.head += color;
+    if (light.kind == LightKind::sun) addSun(light, color);
+    if (light.kind == LightKind::sky) addWhiteSky(color);
+    if (light.kind == LightKind::gradient)
+      addSky(bandedSky(count_, axesFromWorld()),
+             {light.bands[0] * color, light.bands[1] * color, light.bands[2] * color});
+  }
+
+  void addWhiteSky(glm::vec3 color) {
+    open_ += color;
+    if (opacity_ < 1) {
+      addTranslucent(uniformSky(count_), color);
+      return;
+    }
+    std::vector<float> light = blockedShares(rays_, count_);
+    addField({rays_.surface().spread(opennessOf(light)), 1}, color);
+    blocked_ = light;
+    for (float& each : light) each = std::clamp(1 - each, 0.0F, 1.0F);
+    addDirect(light.data(), color);
+  }
+
+  void addMap(const EnvironmentMap& map) {
+    const std::vector<Ordinate> sky =
+        mappedSky(count_, map.size, map.radiance, request_.rotationDegrees.value_or(0), axesFromWorld());
+    const bool grey = std::all_of(map.radiance.begin(), map.radiance.end(), isGrey);
+    if (grey)
+      addSky(sky, {glm::vec3(exposure_)});
+    else
+      addSky(sky, {{exposure_, 0, 0}, {0, exposure_, 0}, {0, 0, exposure_}});
+  }
+
+  void addReflections(int bounces, glm::vec3 albedo) {
+    const InterReflection reflection(coarseRays(), ReflectionOptions().ordinates);
+    if (blocked_.empty()) blocked_ = blockedShares(rays_, count_);
+    const bool grey = isGrey(albedo) && direct_[0] == direct_[1] && direct_[1] == direct_[2];
+    for (int c = 0; c < (grey ? 1 : 3); ++c) {
+      const ReflectedLight reflected = reflection.reflect(direct_[static_cast<std::size_t>(c)], blocked_, albedo[c],
+                                                          open_[c], {.bounces = bounces == kAllBounces ? 0 : bounces});
+      glm::vec3 color(grey ? 1.0F : 0.0F);
+      if (!grey) color[c] = 1;
+      addField(lightOfFeet(rays_.surface(), reflected.light.data()), color);
+      swept_.bounces = std::max(swept_.bounces, reflected.bounces);
+    }
+  }
+
+  void addThickness() {
+    if (swept_.thickness) return;
+    // Any free path will do: only lengths are wanted.
+    swept_.thickness =
+        sweepTranslucency(coarseRays(), distance_, uniformSky(count_), smallestSpacing(level_.spacing)).thickness;
+  }
+
+  void addBentNormals() { swept_.bent = sweepBentNormals(rays_, count_, worldFromAxes_); }
+
+  SweptLighting take() { return std::move(swept_); }
+
+ private:
+  glm::dmat3 axesFromWorld() const { return glm::transpose(worldFromAxes_); }
+
+  const SurfaceRays& coarseRays() {
+    if (rays_.lattice().refinement == 1) return rays_;
+    if (!coarse_) coarse_.emplace(level_, distance_, 1);
+    return *coarse_;
+  }
+
+  void addField(SweptLight field, glm::vec3 color, LightField use = {}) {
+    use.full = field.full;
+    swept_.fields.push_back(std::move(field));
+    swept_.uses.push_back(use);
+    swept_.colors.push_back(color);
+  }
+
+  /// E / pi of each foot, for what the surface sends on.
+  void addDirect(const float* light, glm::vec3 color) {
+    if (request_.bounces.value_or(0) == 0) return;
+    for (int c = 0; c < 3; ++c) {
+      std::vector<float>& direct = direct_[static_cast<std::size_t>(c)];
+      direct.resize(rays_.count(), 0);
+      for (std::size_t i = 0; i < direct.size(); ++i) direct[i] += color[c] * light[i];
+    }
+  }
+
+  /// One channel for each colour.
+  void addSky(const std::vector<Ordinate>& sky, const std::vector<glm::vec3>& colors) {
+    for (std::size_t c = 0; c < colors.size(); ++c) {
+      // The values of an open point add up to 4 times its light.
+      for (const Ordinate& each : sky) open_ += colors[c] * each.value[c] / 4.0F;
+      if (opacity_ == 1) continue;
+      std::vector<Ordinate> channel = sky;
+      for (Ordinate& each : channel) each.value[0] = each.value[c];
+      addTranslucent(channel, colors[c]);
+    }
+    if (opacity_ < 1) return;
+    const std::vector<float> sums = rays_.sum(sky, static_cast<int>(colors.size()), SurfaceRays::Count::visible);
+    for (std::size_t c = 0; c < colors.size(); ++c) {
+      const float* light = sums.data() + c * rays_.count();
+      addDirect(light, colors[c]);
+      addField(lightOfFeet(rays_.surface(), light), colors[c]);
+    }
+  }
+
+  void addTranslucent(const std::vector<Ordinate>& sky, glm::vec3 color) {
+    Translucency through =
+        opacity_ > 0 ? sweepTranslucency(rays_, distance_, sky, meanFreePath(opacity_, smallestSpacing(level_.spacing)))
+                     : sweepTranslucency(rays_, distance_, sky, kNoOpacity);
+    addField(std::move(through.light), color);
+    if (!swept_.thickness) swept_.thickness = std::move(through.thickness);
+  }
+
+  void addSun(const LightRequest& sun, glm::vec3 color) {
+    const glm::dvec3 world = sunDirection(sun, camera_), direction = axesFromWorld() * world;
+    open_ += color;
+    if (sun.shadow == SunShadow::turned) {
+      const LightField use{.values = {}, .direction = world, .radiusDegrees = kPointDegrees};
+      addField({sweepRotatedShadow(distance_, direction), 1}, color, use);
+    }
+    if (sun.shadow == SunShadow::hard) swept_.suns.push_back({world, color});
+    const bool soft = sun.shadow == SunShadow::soft;
+    if (!soft && request_.bounces.value_or(0) == 0) return;
+    const double radius = soft ? sun.radiusDegrees : kPointDegrees;
+    DiscLight disc = sweepDisc(rays_, direction, radius, soft ? discOrdinates(radius) : 1);
+    addDirect(disc.light.data(), color);
+    if (soft) addField(std::move(disc.share), color, {.values = {}, .direction = world, .radiusDegrees = radius});
+  }
+
+  const LightingRequest& request_;
+  int count_;
+  GridView<const float> level_, distance_;
+  const Camera& camera_;
+  float exposure_;
+  double opacity_;
+  SurfaceRays rays_;
+  std::optional<SurfaceRays> coarse_;
+  glm::dmat3 worldFromAxes_;
+  std::array<std::vector<float>, 3> direct_;
+  std::vector<float> blocked_;  // blockedShares(), once they are known
+  glm::vec3 open_{0};           // at least what an open point gets
+  SweptLighting swept_;
+};
+
+}  // namespace
+
+std::size_t SweptLighting::bytes() const {
+  std::size_t bytes = 0;
+  for (const SweptLight& field : fields) bytes += field.values.count() * sizeof(std::uint16_t);
+  if (thickness) bytes += thickness->values.count() * sizeof(std::uint16_t);
+  if (bent) bytes += 3 * bent->front().count() * sizeof(std::uint16_t);
+  return bytes;
+}
+
+SweptLighting sweepLighting(const LightingRequest& request, const OrdinateOptions& ordinates, const EnvironmentMap* map,
+                            const SweptScene& scene, const Camera& camera, glm::vec3 albedo) {
+  LightingSweep sweep(request, ordinates, scene, camera);
+  if (request.lights.empty() && !map) sweep.addWhiteSky(glm::vec3(std::exp2(static_cast<float>(request.exposure))));
+  for (const LightRequest& light : request.lights) sweep.addLight(light);
+  if (map) sweep.addMap(*map);
+  if (const int bounces = request.bounces.value_or(0); bounces != 0) sweep.addReflections(bounces, albedo);
+  if (request.thickness) sweep.addThickness();
+  if (request.bent) sweep.addBentNormals();
+  return sweep.take();
+}
+
+}  // namespace isolume

@@ -1,0 +1,96 @@
+#include "surface_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <stdexcept>
+
+#include "foot_sums.h"
+
+namespace isolume {
+namespace {
+
+/// Of fixed-point sums: far from the end of int32 even where every rounding of a group goes one way.
+constexpr double kLargestSum = 1 << 30;
+
+double largestTotal(const std::vector<Ordinate>& ordinates, int channels) {
+  double largest = 0;
+  for (int c = 0; c < channels; ++c) {
+    double total = 0;
+    for (const Ordinate& each : ordinates) total += std::abs(each.value[static_cast<std::size_t>(c)]);
+    largest = std::max(largest, total);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<RayGroup> rayGroups(int axis, const std::vector<Ordinate>& ordinates, glm::dvec3 cell, int most) {
+  const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
+  std::vector<RayGroup> groups;
+  for (const int towards : {1, -1}) {
+    std::vector<RayDirection> all;
+    for (const Ordinate& ordinate : ordinates) {
+      const glm::dvec3 direction = ordinate.direction, steps = direction / cell, size = glm::abs(steps);
+      const int longest = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+      if (longest != axis || (steps[axis] > 0) != (towards > 0)) continue;
+      all.push_back({static_cast<float>(direction[axes.bit]), static_cast<float>(direction[axes.row]),
+                     static_cast<float>(direction[axes.layer]), steps[axes.bit] / steps[axes.layer],
+                     steps[axes.row] / steps[axes.layer], static_cast<float>(1 / size[axis]), ordinate.value});
+    }
+    // Of equal size, so that no thread waits for a last full one while another sweeps a rest.
+    const std::size_t count = (all.size() + static_cast<std::size_t>(most) - 1) / static_cast<std::size_t>(most);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto at = [&](std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k * all.size() / count); };
+      groups.push_back({towards, {at(i), at(i + 1)}});
+    }
+  }
+  return groups;
+}
+
+SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> distance, int refinement)
+    : spacing_(level.spacing),
+      surface_(level, distance),
+      lattice_(makeSolidLattice(level, surface_.solid(), refinement)),
+      points_{RayPoints(count()), RayPoints(count()), RayPoints(count())} {
+  for (int axis = 0; axis < 3; ++axis) {
+    const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
+    if (voxelCount({layers.words * kWordBits, layers.rows + 1, 1}) >= kMostLayerBits)
+      throw std::length_error("openness: expected layers of fewer than 2^24 lattice points: take refinement 1");
+    points_[static_cast<std::size_t>(axis)].sort(surface_.feet(), lattice_, spacing_, axis);
+  }
+}
+
+std::vector<float> SurfaceRays::sum(const std::vector<Ordinate>& ordinates, int channels, Count count) const {
+  const std::size_t feet = surface_.feet().size(), stride = feet + kRayPadding;
+  std::vector<float> sums(feet * static_cast<std::size_t>(channels), 0);
+  const double total = largestTotal(ordinates, channels);
+  if (feet == 0 || total == 0) return sums;
+  const auto scale = static_cast<float>(kLargestSum / total);
+  FootSums shared(stride * static_cast<std::size_t>(channels));
+  // Of all axes, before they are rounded to float.
+  std::vector<std::int32_t> whole(sums.size(), 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<RayGroup> groups = rayGroups(axis, ordinates, cell(), kRayGroup);
+    const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
+    parallelFor(groups.size(), [&](std::size_t i) {
+      std::vector<std::int32_t> own = shared.take();
+      sweepRays(layers, groups[i].towards, groups[i].directions, points(axis),
+                {.channels = channels,
+                 .visible = count == Count::visible,
+                 .scale = scale,
+                 .stride = static_cast<std::ptrdiff_t>(stride),
+                 .sums = own.data()});
+      shared.giveBack(std::move(own));
+    });
+    const std::uint32_t* foot = points(axis).foot();
+    forEachFoot(feet, [&](std::size_t i) {
+      for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c)
+        whole[c * feet + foot[i]] += shared.takeTotal(c * stride + i);
+    });
+  }
+  forEachFoot(sums.size(), [&](std::size_t i) { sums[i] = static_cast<float>(whole[i] / static_cast<double>(scale)); });
+  return sums;
+}
+
+}  // namespace isolume

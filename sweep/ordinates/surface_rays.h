@@ -1,0 +1,59 @@
+// The points of a surface at which light is summed, and the lattice that its rays pass, made once for any number of
+// sweeps over directions of any kind: the sky, a map, a disc.
+//
+// Memory: surface_feet.h and solid_lattice.h, 84 bytes per foot for the three orders of points (ray_points.h), and
+// while a sweep runs 4 bytes per foot, channel and thread. Sweeps are threaded, bitwise the same for any number of
+// threads and any SIMD width.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ray_points.h"
+#include "sheared_rays.h"
+#include "solid_lattice.h"
+#include "surface_feet.h"
+
+namespace isolume {
+
+/// A direction towards the light, along the grid's axes, unit, and what is summed for it, by channel.
+struct Ordinate {
+  glm::dvec3 direction{0, 0, 1};
+  std::array<float, kMostChannels> value{1};
+};
+
+/// Directions of one axis and sense that are swept together.
+struct RayGroup {
+  int towards = 1;
+  std::vector<RayDirection> directions;
+};
+/// Those whose rays cross most layers of `axis`, in groups of up to `most`.
+std::vector<RayGroup> rayGroups(int axis, const std::vector<Ordinate>& ordinates, glm::dvec3 cell, int most);
+
+class SurfaceRays {
+ public:
+  /// `level` as of makeLevel(), `distance` exact next to its surface; both are borrowed for good. std::length_error
+  /// where a layer of the lattice has 2^24 points or more (2048^3 refined).
+  SurfaceRays(GridView<const float> level, GridView<const float> distance, int refinement);
+
+  const SurfaceFeet& surface() const { return surface_; }
+  const SolidLattice& lattice() const { return lattice_; }
+  const RayPoints& points(int axis) const { return points_[static_cast<std::size_t>(axis)]; }
+  glm::dvec3 spacing() const { return spacing_; }
+  glm::dvec3 cell() const { return spacing_ / static_cast<double>(lattice_.refinement); }
+  std::size_t count() const { return surface_.feet().size(); }
+
+  enum class Count { blocked, visible };
+  /// [c * count() + foot] = sum of value[c] max(N . w, 0) over the ordinates that are blocked or visible; with four
+  /// channels without the cosine, over those that face the foot. To 2^-30 of the sum of all values.
+  std::vector<float> sum(const std::vector<Ordinate>& ordinates, int channels, Count count) const;
+
+ private:
+  glm::dvec3 spacing_;
+  SurfaceFeet surface_;
+  SolidLattice lattice_;
+  std::array<RayPoints, 3> points_;
+};
+
+}  // namespace isolume
