@@ -8,9 +8,23 @@ namespace isolume {
 const std::vector<ProgramVariant>& programVariants() {
   static const std::vector<ProgramVariant> variants{
       {"beam", "shaders/fullscreen.vert", "shaders/beam.frag"},
+      {"march_gbuffer", "shaders/fullscreen.vert", "shaders/march_gbuffer.frag"},
       {"march_lights", "shaders/fullscreen.vert", "shaders/march_lights.frag"},
       {"march_local", "shaders/fullscreen.vert", "shaders/march_local.frag"},
       {"march_octants", "shaders/fullscreen.vert", "shaders/march_octants.frag"},
+      {"screen_area", "shaders/fullscreen.vert", "shaders/screen/area.frag"},
+      {"screen_bitmask", "shaders/fullscreen.vert", "shaders/screen/bitmask.frag"},
+      {"screen_composite", "shaders/fullscreen.vert", "shaders/screen/composite.frag"},
+      {"screen_disk", "shaders/fullscreen.vert", "shaders/screen/disk.frag"},
+      {"screen_filter", "shaders/fullscreen.vert", "shaders/screen/filter.frag"},
+      {"screen_gtao", "shaders/fullscreen.vert", "shaders/screen/gtao.frag"},
+      {"screen_hbao", "shaders/fullscreen.vert", "shaders/screen/hbao.frag"},
+      {"screen_heights", "shaders/fullscreen.vert", "shaders/screen/heights.frag"},
+      {"screen_indirect", "shaders/fullscreen.vert", "shaders/screen/indirect.frag"},
+      {"screen_line", "shaders/fullscreen.vert", "shaders/screen/line.frag"},
+      {"screen_moments", "shaders/fullscreen.vert", "shaders/screen/moments.frag"},
+      {"screen_points", "shaders/fullscreen.vert", "shaders/screen/points.frag"},
+      {"screen_volumetric", "shaders/fullscreen.vert", "shaders/screen/volumetric.frag"},
   };
   return variants;
 }

@@ -22,6 +22,7 @@
 #include "program.h"
 #include "program_variants.h"
 #include "scene_textures.h"
+#include "screen/screen_pass.h"
 #include "sweep/parallel.h"
 #include "view.h"
 
@@ -44,6 +45,7 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
   if (settings.normals == NormalSource::distance && scene.distance.name() == 0) {
     throw GpuError("render: expected a distance texture for normals from the distance, found a scene without it");
   }
+  if (settings.screen) return;
   if (settings.shading == Shading::octants && !scene.hasOctants()) {
     throw GpuError("render: expected octants for shading by them, found a scene without them");
   }
@@ -56,7 +58,8 @@ void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
     }
   if (settings.shading == Shading::lights) {
     if (settings.suns.size() > shader::kMostSuns)
-      throw GpuError(fmt::format("render: expected at most {} suns, found {}", shader::kMostSuns, settings.suns.size()));
+      throw GpuError(
+          fmt::format("render: expected at most {} suns, found {}", shader::kMostSuns, settings.suns.size()));
     for (const HardSun& sun : settings.suns)
       if (!(glm::length(sun.direction) > 0))
         throw GpuError("render: expected a direction towards each sun, found 0,0,0");
@@ -132,10 +135,11 @@ struct Renderer::Impl {
   GlBuffer octantBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
   std::array<std::array<GlTexture, 2>, 2> geometryTerms;  // by term, each made when it is first needed
-  std::size_t builtSuns = 0;  // that the program of light fields knows
+  std::size_t builtSuns = 0;                              // that the program of light fields knows
   SceneTextures scene;
   Framebuffer framebuffer;
   BeamPass beams;
+  std::unique_ptr<ScreenPass> screen;  // made with the first picture that needs it
 
   Impl() {
     glNamedBufferStorage(uniformBuffer.name(), sizeof(shader::FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
@@ -231,6 +235,36 @@ struct Renderer::Impl {
     }
     glDisablei(GL_BLEND, 0);
   }
+
+  void drawTiles(const shader::FrameUniforms& uniforms, const RenderSettings& settings, const ScreenTarget& target) {
+    const glm::ivec2 size = settings.size;
+    const int tileWidth = std::min(size.x, kTileWidth);
+    const glm::ivec2 tile(tileWidth, std::min(size.y, kTilePixels / tileWidth));
+    framebuffer.reserve(tile, settings.layers);
+    bindInputs(uniforms, settings);
+    for (int y = 0; y < size.y; y += tile.y) {
+      for (int x = 0; x < size.x; x += tile.x) {
+        const glm::ivec2 extent = glm::min(tile, size - glm::ivec2(x, y));
+        drawTile(glm::vec2(x, y) - 0.5f * glm::vec2(size), extent, settings, uniforms.background);
+        const std::size_t start =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+        framebuffer.read(Attachment::color, extent, &target.color[start], size.x);
+        if (!settings.layers) continue;
+        framebuffer.read(Attachment::normal, extent, &target.normals[start], size.x);
+        framebuffer.read(Attachment::position, extent, &target.positions[start], size.x);
+        framebuffer.read(Attachment::light, extent, &target.lights[start], size.x);
+      }
+    }
+  }
+
+  void drawScreen(const shader::FrameUniforms& uniforms, const Camera& camera, const RenderSettings& settings,
+                  const ScreenTarget& target) {
+    RenderSettings inputs = settings;
+    inputs.shading = Shading::local;  // of the scene, only what the trace reads
+    bindInputs(uniforms, inputs);
+    if (!screen) screen = std::make_unique<ScreenPass>();
+    screen->draw(camera, settings, uniforms, scene, beams, target);
+  }
 };
 
 Renderer::Renderer(Context&) : impl_(std::make_unique<Impl>()) {}
@@ -240,6 +274,7 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
+  if (impl_->screen) impl_->screen->forgetScene();
   impl_->scene = uploadScene(fields);
   impl_->programs[static_cast<std::size_t>(Shading::lights)] = {};  // it knows how many they are
   if (impl_->scene.hasOctants()) impl_->geometryTerm(GeometryTerm::front);
@@ -264,23 +299,10 @@ Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Fra
   const std::size_t layerCount = settings.layers ? count : 0;
   std::vector<glm::vec4> normals(layerCount), positions(layerCount), lights(layerCount);
 
-  const int tileWidth = std::min(size.x, kTileWidth);
-  const glm::ivec2 tile(tileWidth, std::min(size.y, kTilePixels / tileWidth));
-  impl_->framebuffer.reserve(tile, settings.layers);
-  impl_->bindInputs(uniforms, settings);
-  for (int y = 0; y < size.y; y += tile.y) {
-    for (int x = 0; x < size.x; x += tile.x) {
-      const glm::ivec2 extent = glm::min(tile, size - glm::ivec2(x, y));
-      impl_->drawTile(glm::vec2(x, y) - 0.5f * glm::vec2(size), extent, settings, uniforms.background);
-      const std::size_t start =
-          static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
-      impl_->framebuffer.read(Attachment::color, extent, &frame.color[start], size.x);
-      if (!settings.layers) continue;
-      impl_->framebuffer.read(Attachment::normal, extent, &normals[start], size.x);
-      impl_->framebuffer.read(Attachment::position, extent, &positions[start], size.x);
-      impl_->framebuffer.read(Attachment::light, extent, &lights[start], size.x);
-    }
-  }
+  if (settings.screen)
+    impl_->drawScreen(uniforms, camera, settings, {frame.color, normals, positions, lights});
+  else
+    impl_->drawTiles(uniforms, settings, {frame.color, normals, positions, lights});
   checkGl("frame");
   if (settings.samples > 1) {
     const float share = 1 / static_cast<float>(settings.samples);

@@ -6,11 +6,13 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/mat4x4.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "camera.h"
 #include "context.h"
 #include "light_field.h"
+#include "screen/screen_occlusion.h"
 #include "sweep/geometry_terms.h"
 #include "sweep/grid.h"
 #include "sweep/octants.h"
@@ -56,7 +58,8 @@ struct RenderSettings {
   float gamma = 1;                                  ///< colour = albedo * light^(1 / gamma) ([Singh10] Sec. 2 uses 2)
   glm::vec3 albedo{1};                              ///< linear
   glm::vec4 background{1, 1, 1, 1};                 ///< linear, not premultiplied; alpha 0 = transparent
-  bool layers = false;                              ///< also fill light, normal, position, depth
+  std::optional<ScreenOcclusion> screen = {};  ///< light from the screen in place of `shading`; screen/screen_pass.h
+  bool layers = false;                         ///< also fill light, normal, position, depth
 };
 
 /// Row-major, top row first. Colour is linear and premultiplied. Layers are taken at the centre of the pixel, never

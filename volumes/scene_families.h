@@ -28,6 +28,10 @@ const std::vector<TaperedCapsule>& capsulesPrimitives();
 double spheresValue(glm::dvec3 p);
 const std::vector<Sphere>& spheresPrimitives();
 
+/// Implicit: z less the height, which is noise of three octaves about .4; solid below.
+double terrainValue(glm::dvec3 p);
+double terrainHeight(double x, double y);
+
 /// Implicit: threshold less the magnitude of vorticity(p), faded towards the border. See vorticity.cpp.
 double vorticityValue(glm::dvec3 p);
 glm::dvec3 vorticity(glm::dvec3 p);  ///< not faded: free of divergence

@@ -13,8 +13,8 @@ float asFloat(glm::dvec3 p) {
   return static_cast<float>(Value(p));
 }
 
-const std::array<Scene, 6>& scenes() {
-  static const std::array<Scene, 6> all{{
+const std::array<Scene, 7>& scenes() {
+  static const std::array<Scene, 7> all{{
       {"corner", "room corner with box, sphere, torus and column, after [Singh10] Fig. 3", true, asFloat<cornerValue>},
       {"capillaries", "branching vascular tree, after [Singh10] Fig. 5", true, asFloat<capillariesValue>},
       {"gyroid", "gyroid sheet of three periods, cut by a ball", false, asFloat<gyroidValue>},
@@ -22,6 +22,7 @@ const std::array<Scene, 6>& scenes() {
       {"spheres", "packed spheres of five sizes", true, asFloat<spheresValue>},
       {"vorticity", "vortex tubes of a synthetic turbulent field, after [Singh10] Fig. 4", false,
        asFloat<vorticityValue>},
+      {"terrain", "hills, a height field along z", false, asFloat<terrainValue>},
   }};
   return all;
 }

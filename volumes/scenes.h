@@ -22,7 +22,7 @@ struct Scene {
   std::function<float(glm::dvec3)> value;  ///< p in [0, 1]^3; thread-safe
 };
 
-std::vector<std::string_view> sceneNames();     ///< corner, capillaries, gyroid, capsules, spheres, vorticity
+std::vector<std::string_view> sceneNames();     ///< corner, capillaries, gyroid, capsules, spheres, vorticity, terrain
 const Scene* findScene(std::string_view name);  ///< nullptr if there is none of that name; lives for ever
 
 /// Samples the scene at the cell centres of an N^3 grid: voxel (i, j, k) at ((i, j, k) + 1/2) / N, spacing 1 / N.

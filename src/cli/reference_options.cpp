@@ -37,15 +37,15 @@ void addIntegrandOptions(CLI::App& app, ReferenceJob& job) {
       "ambient: how far occluders count, world units\n(default: any distance)");
   Choices<Membership> memberships;
   for (const Membership each : {Membership::exponential, Membership::classical, Membership::squareRoot,
-                                Membership::linear, Membership::volumetric})
+                                Membership::linear, Membership::volumetric, Membership::quartic})
     memberships.emplace_back(membershipName(each), each);
   group.value(
       "--membership", "NAME",
       [&job, memberships](const std::string& option, const std::string& text) {
         job.membership = parseChoice(option, text, memberships);
       },
-      "with --radius: how openness grows with distance:\nexponential, classical, sqrt, linear or volumetric\n"
-      "(default: classical)");
+      "with --radius: how openness grows with distance:\nexponential, classical, sqrt, linear, volumetric or\n"
+      "quartic (default: classical)");
   group.value(
       "--light-direction", "X,Y,Z",
       [&job](const std::string& option, const std::string& text) { job.lightDirection = parseVector(option, text); },

@@ -8,6 +8,7 @@
 #include "src/cli/parse_value.h"
 #include "src/cli/picture_options.h"
 #include "src/cli/presets.h"
+#include "src/cli/screen_options.h"
 #include "src/cli/surface_options.h"
 
 namespace isolume {
@@ -21,17 +22,14 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
   OcclusionRequest& occlusion = job.occlusion;
   group.value(
       "--occlusion", "METHOD",
-      [&occlusion](const std::string& option, const std::string& text) {
-        occlusion.method = parseChoice<OcclusionMethod>(option, text,
-                                                        {{"singh10", OcclusionMethod::singh10},
-                                                         {"octants", OcclusionMethod::octants},
-                                                         {"combined", OcclusionMethod::combined},
-                                                         {"ordinates", OcclusionMethod::ordinates},
-                                                         {"none", OcclusionMethod::none}});
+      [&job](const std::string& option, const std::string& text) {
+        parseOcclusion(option, text, job.occlusion, job.screen);
       },
       "ordinates: ambient occlusion by many directions;\nsingh10: by eight octant sweeps, as published;\n"
-      "octants: the same, read above the surface;\ncombined: the octants as one number;\nnone: a head light, nothing "
-      "swept (default: ordinates)");
+      "octants: the same, read above the surface;\n"
+      "combined: the octants as one number;\nnone: a head light, nothing swept;\n"
+      "from the screen: crytek, hbao, gtao, bitmask, ssdo,\ngpu-sphere, gpu-hemisphere, gpu-importance, gpu-tangent,\n"
+      "gpu-disk, szirmay10-containment, szirmay10-volumetric,\nloos10-point, -line, -area (default: ordinates)");
   group.value(
       "--quality", "LEVEL",
       [&occlusion](const std::string& option, const std::string& text) {
@@ -126,6 +124,7 @@ void addRenderOptions(CLI::App& app, RenderJob& job) {
   addCameraOptions(app, job.camera);
   addShadingOptions(app, job);
   addLightOptions(app, job.light);
+  addScreenOptions(app, job.screen);
   Choices<std::string> backends{{"auto", "auto"}};
   std::string list = "auto";
   for (const std::string_view name : backendNames()) {
@@ -151,6 +150,12 @@ void checkRenderOptions(const RenderJob& job) {
   if (ending == ".exr" && job.bitDepth)
     throw UsageError(fmt::format("--bit-depth: expected a .png (an .exr holds 32-bit floats), found '{}'", job.output));
   const OcclusionMethod method = chooseOcclusion(job.occlusion).method;
+  const char* swept = givenOption(job.occlusion);
+  checkScreenRequest(job.screen, swept ? swept : givenOption(job.light));
+  if (job.screen.estimator && (job.layers.bent || job.layers.thickness || job.layers.irradiance))
+    throw UsageError(
+        fmt::format("--layers: expected ambient, normal, position or depth with --occlusion {}, found others",
+                    screenEstimatorName(*job.screen.estimator)));
   checkLighting(job.light, method);
   if ((job.layers.bent || job.layers.thickness) && method != OcclusionMethod::ordinates)
     throw UsageError(fmt::format("--layers: expected --occlusion ordinates beside '{}', found {}",

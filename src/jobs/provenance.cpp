@@ -27,11 +27,12 @@ std::string layerList(const Layers& layers) {
   return list;
 }
 
-nlohmann::ordered_json pictureSettings(const RenderJob& job, const OcclusionSetting& occlusion) {
+nlohmann::ordered_json pictureSettings(const RenderJob& job, const OcclusionSetting& occlusion,
+                                       const std::optional<ScreenOcclusion>& screen) {
   nlohmann::ordered_json settings;
   settings["size"] = fmt::format("{}x{}", job.size.x, job.size.y);
   settings["samples"] = job.samples;
-  settings.update(occlusionSettings(occlusion));
+  settings.update(screen ? screenSettings(*screen) : occlusionSettings(occlusion));
   settings.update(lightingSettings(job.light));
   settings["normals"] = job.normals == NormalSource::data ? "data" : "distance";
   settings["gamma"] = job.gamma;
@@ -92,10 +93,11 @@ Provenance surfaceProvenance(const std::string& command, const std::string& inpu
   return provenance;
 }
 
-Provenance renderProvenance(const RenderJob& job, const OcclusionSetting& occlusion, const Surface& surface,
-                            const Camera& camera, const Context& context, const std::string& checksums) {
+Provenance renderProvenance(const RenderJob& job, const OcclusionSetting& occlusion,
+                            const std::optional<ScreenOcclusion>& screen, const Surface& surface, const Camera& camera,
+                            const Context& context, const std::string& checksums) {
   Provenance provenance = surfaceProvenance(job.run.command, job.surface.input, surface, checksums);
-  nlohmann::ordered_json picture = pictureSettings(job, occlusion);
+  nlohmann::ordered_json picture = pictureSettings(job, occlusion, screen);
   picture.update(surface.method);
   const std::string backend(context.backend());
   const std::string cameraText = cameraOptions(camera);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 namespace isolume {
 
 struct OcclusionSetting;
+struct ScreenOcclusion;
 struct RenderJob;
 
 struct Provenance {
@@ -33,7 +35,9 @@ std::string optionText(const nlohmann::ordered_json& settings);
 Provenance surfaceProvenance(const std::string& command, const std::string& input, const Surface& surface,
                              const std::string& checksums);
 
-Provenance renderProvenance(const RenderJob& job, const OcclusionSetting& occlusion, const Surface& surface,
-                            const Camera& camera, const Context& context, const std::string& checksums);
+/// `screen`, where there is one, stands in place of `occlusion`.
+Provenance renderProvenance(const RenderJob& job, const OcclusionSetting& occlusion,
+                            const std::optional<ScreenOcclusion>& screen, const Surface& surface, const Camera& camera,
+                            const Context& context, const std::string& checksums);
 
 }  // namespace isolume

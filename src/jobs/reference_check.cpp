@@ -104,6 +104,8 @@ const char* membershipName(Membership membership) {
       return "linear";
     case Membership::volumetric:
       return "volumetric";
+    case Membership::quartic:
+      return "quartic";
   }
   return "";
 }

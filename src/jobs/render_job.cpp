@@ -43,6 +43,7 @@ Shading shadingOf(OcclusionMethod method) {
 /// A file of fields is drawn from what it holds, its octants, if nothing else was asked for.
 OcclusionSetting occlusionOf(const RenderJob& job) {
   OcclusionRequest request = job.occlusion;
+  if (job.screen.estimator) request.method = OcclusionMethod::none;
   if (!givenOption(request) && isFieldsFile(job.surface.input)) request.method = OcclusionMethod::octants;
   return chooseOcclusion(request);
 }
@@ -178,12 +179,15 @@ void runRenderJob(const RenderJob& request) {
   log.end(textureBytes(fields));
 
   log.begin("frame", "drawing");
-  const Frame frame = renderer.render(
-      camera, renderSettings(job, occlusion, lighting, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes));
+  RenderSettings settings =
+      renderSettings(job, occlusion, lighting, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes);
+  settings.screen = chooseScreen(job.screen, solidCorners(scene.surface));
+  const Frame frame = renderer.render(camera, settings);
   log.end(frameBytes(frame));
 
   log.begin("write", "writing " + job.output);
-  const Provenance provenance = renderProvenance(job, occlusion, scene.surface, camera, *context, checksums.get());
+  const Provenance provenance =
+      renderProvenance(job, occlusion, settings.screen, scene.surface, camera, *context, checksums.get());
   Image image = imageOf(frame, job, lighting);
   image.metadata = provenance.metadata;
   writeImage(job.output, image, {.bitDepth = job.bitDepth.value_or(kDefaultBitDepth)});

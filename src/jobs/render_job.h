@@ -12,6 +12,7 @@
 #include "src/jobs/light_request.h"
 #include "src/jobs/occlusion_method.h"
 #include "src/jobs/run_options.h"
+#include "src/jobs/screen_request.h"
 #include "src/jobs/surface.h"
 
 namespace isolume {
@@ -32,6 +33,7 @@ struct RenderJob {
   /// seconds that a whole job may take on two cores.
   int samples = 1;
   OcclusionRequest occlusion;
+  ScreenRequest screen;  ///< with an estimator: light from the screen, and `occlusion` says nothing
   LightingRequest light;
   NormalSource normals = NormalSource::data;
   double gamma = 1;

@@ -16,7 +16,7 @@
 
 namespace isolume {
 
-enum class Membership { exponential, classical, squareRoot, linear, volumetric };
+enum class Membership { exponential, classical, squareRoot, linear, volumetric, quartic };
 
 /// Whether mu = 1 from R on, so that rays may end there.
 inline bool isLocal(Membership membership) { return membership != Membership::exponential; }
@@ -32,6 +32,8 @@ inline double membershipAt(Membership membership, double share) {
       return share;
     case Membership::volumetric:
       return share * share * share;
+    case Membership::quartic:
+      return share * share * share * share;
     default:
       return 0;
   }

@@ -16,6 +16,7 @@ isolume_test(test_cli
   cli/reference_test.cpp
   cli/render_test.cpp
   cli/sample_test.cpp
+  cli/screen_options_test.cpp
   cli/suggest_test.cpp
   cli/terminal_test.cpp
   LIBS isolume_app fmt::fmt)

@@ -9,17 +9,19 @@
 namespace isolume::test {
 namespace {
 
-constexpr std::array<Membership, 5> kAll{Membership::exponential, Membership::classical, Membership::squareRoot,
-                                         Membership::linear, Membership::volumetric};
+constexpr std::array<Membership, 6> kAll{Membership::exponential, Membership::classical,  Membership::squareRoot,
+                                         Membership::linear,      Membership::volumetric, Membership::quartic};
 
 TEST(MembershipFunction, HasThePapersValues) {
-  // Half way to R the five functions of [Szirmay10] Fig. 3 are 1 - exp(-1/2), 0, sqrt(1/2), 1/2 and 1/8.
+  // Half way to R the five functions of [Szirmay10] Fig. 3 are 1 - exp(-1/2), 0, sqrt(1/2), 1/2 and 1/8, and the
+  // quartic one is 1/16.
   constexpr double kTolerance = 1e-15;  // rounding
   EXPECT_NEAR(membershipAt(Membership::exponential, 0.5), 1 - std::exp(-0.5), kTolerance);
   EXPECT_EQ(membershipAt(Membership::classical, 0.5), 0);
   EXPECT_NEAR(membershipAt(Membership::squareRoot, 0.5), std::sqrt(0.5), kTolerance);
   EXPECT_EQ(membershipAt(Membership::linear, 0.5), 0.5);
   EXPECT_EQ(membershipAt(Membership::volumetric, 0.5), 0.125);
+  EXPECT_EQ(membershipAt(Membership::quartic, 0.5), 0.0625);
 }
 
 TEST(MembershipFunction, RisesFromZeroToOne) {

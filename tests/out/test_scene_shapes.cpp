@@ -25,7 +25,8 @@ double insideShare(GridView<const float> view) {
 
 TEST(Scenes, NamesAreFound) {
   // Every listed name is found under that name and described; others are not.
-  EXPECT_THAT(sceneNames(), ElementsAre("corner", "capillaries", "gyroid", "capsules", "spheres", "vorticity"));
+  EXPECT_THAT(sceneNames(),
+              ElementsAre("corner", "capillaries", "gyroid", "capsules", "spheres", "vorticity", "terrain"));
   for (const std::string_view name : sceneNames()) {
     ASSERT_NE(findScene(name), nullptr);
     EXPECT_EQ(findScene(name)->name, name);
@@ -227,6 +228,26 @@ TEST(Scenes, VorticityEndsBeforeTheBorder) {
           std::swap(p.z, p[axis]);
           ASSERT_GT(vorticityValue(p), 0);
         }
+}
+
+TEST(Terrain, IsAHeightField) {
+  // Each column is solid up to one height and open above it, which lies within the cube and is that of the function; no
+  // slope along an axis is steeper than 1.6, so a camera from above sees everything.
+  constexpr int kSide = 64;
+  constexpr double kMostSlope = 1.6;
+  for (int i = 0; i < kSide; ++i) {
+    for (int j = 0; j < kSide; ++j) {
+      const double x = (i + 0.5) / kSide, y = (j + 0.5) / kSide, height = terrainHeight(x, y);
+      ASSERT_GT(height, 0.1);
+      ASSERT_LT(height, 0.7);
+      for (int k = 0; k < kSide; ++k) {
+        const double z = (k + 0.5) / kSide;
+        ASSERT_EQ(terrainValue({x, y, z}) < 0, z < height);
+      }
+      ASSERT_LT(std::abs(terrainHeight(x + 1e-4, y) - height) / 1e-4, kMostSlope);
+      ASSERT_LT(std::abs(terrainHeight(x, y + 1e-4) - height) / 1e-4, kMostSlope);
+    }
+  }
 }
 
 }  // namespace

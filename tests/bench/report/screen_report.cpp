@@ -1,0 +1,209 @@
+// report_screen: time and error of every screen-space estimator on one volume, as JSON, and if asked for as CSV and as
+// a table of Markdown.
+//
+// Held fixed: the volume, the default camera of `isolume render`, the radius (by default that of `render`) and the size
+// of the picture. Milliseconds are of a whole frame (G-buffer, estimator, filter, composite, read back), the median of
+// --runs after one that is not counted; `none` is the head light, without any such pass. RMSE and bias are over the
+// pixels that hit: to the estimator's own integral (screen_truth.h) and to ambient occlusion without a limit, both by
+// --rays exact samples per pixel, whose noise is part of the RMSE.
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "raymarch/context.h"
+#include "raymarch/renderer.h"
+#include "src/cli/parse_value.h"
+#include "src/cli/surface_options.h"
+#include "src/io/output_file.h"
+#include "src/jobs/camera_choice.h"
+#include "src/jobs/reference_camera.h"
+#include "src/jobs/screen_request.h"
+#include "src/jobs/surface.h"
+#include "sweep/parallel.h"
+#include "tests/bench/report/report_program.h"
+#include "tests/bench/report/screen_truth.h"
+#include "tests/bench/report/timing.h"
+
+namespace isolume::bench {
+namespace {
+
+struct Options {
+  SurfaceRequest surface;
+  std::string size = "256x256", csv, table;
+  double radius = 0;  ///< world units; 0: the default of render
+  int samples = 12, rays = 256, runs = 5;
+  RunOptions run;
+};
+
+/// Every estimator with the z-buffer at the number of samples that was asked for; those that read it with the implicit
+/// function as well; and the comparisons that the papers make.
+std::vector<ScreenRequest> requests(int samples) {
+  std::vector<ScreenRequest> all;
+  for (const ScreenEstimator each : screenEstimators()) all.push_back({.estimator = each, .samples = samples});
+  for (const ScreenEstimator each : screenEstimators())
+    if (readsCharacteristic(each))
+      all.push_back({.estimator = each, .samples = samples, .surface = Characteristic::implicit});
+  constexpr int kFew = 4, kMany = 32, kLines = 5, kPoints = 12;  // [Szirmay10] Fig. 8, 10; [Loos10] Table 1
+  for (const bool sampled : {false, true})
+    all.push_back({.estimator = ScreenEstimator::szirmayVolumetric, .samples = kFew, .normalisedBySamples = sampled});
+  for (const ScreenEstimator each : {ScreenEstimator::szirmayContainment, ScreenEstimator::szirmayVolumetric})
+    all.push_back({.estimator = each, .samples = kMany});
+  all.push_back({.estimator = ScreenEstimator::loosLine, .samples = kLines});
+  all.push_back({.estimator = ScreenEstimator::loosPoint, .samples = kPoints});
+  return all;
+}
+
+struct Error {
+  double rmse = 0, bias = 0;
+};
+
+Error errorOf(const std::vector<glm::vec3>& got, const std::vector<double>& want) {
+  double squares = 0, sum = 0, count = 0;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    if (std::isnan(want[i])) continue;
+    const double difference = got[i].r - want[i];
+    squares += difference * difference;
+    sum += difference;
+    count += 1;
+  }
+  return {std::sqrt(squares / count), sum / count};
+}
+
+class Judge {
+ public:
+  Judge(const Options& options, const Surface& surface)
+      : options_(options),
+        size_(parseSize("--size", options.size)),
+        corners_(solidCorners(surface)),
+        camera_(chooseCamera({}, corners_, static_cast<double>(size_.x) / size_.y)),
+        frame_(makeGridFrame(surface.worldFromGrid)),
+        tracer_(surface.level.view()),
+        context_(makeContext()),
+        renderer_(*context_) {
+    SceneFields fields;
+    fields.worldFromGrid = surface.worldFromGrid;
+    fields.level = surface.level.view();
+    renderer_.upload(fields);
+    // Where the rays of the pixels hit, and nothing more: shadow takes one ray.
+    IntegrandSettings shadow;
+    shadow.integrand = Integrand::shadow;
+    hits_ = traceReference(scene(), pixelRays(camera_, size_, frame_), {{0, 0}, size_}, shadow, {});
+    ambient_ = ambientPicture(scene(), hits_, options.rays);
+  }
+
+  nlohmann::ordered_json row(const ScreenRequest& request) {
+    ScreenRequest asked = request;
+    if (options_.radius > 0) asked.radius = options_.radius;
+    const ScreenOcclusion screen = chooseScreen(asked, corners_).value();
+    RenderSettings settings{.size = size_, .shading = Shading::local, .screen = screen, .layers = true};
+    const Frame drawn = renderer_.render(camera_, settings);
+    const ScreenTruth truth = screenTruth(screen);
+    const Error own = errorOf(drawn.light, truthOf(truth, screen.radiusWorld));
+    const Error ambient = errorOf(drawn.light, ambient_);
+    nlohmann::ordered_json row = screenSettings(screen);
+    row["milliseconds"] = milliseconds(settings);
+    row["integral"] = screenTruthName(truth);
+    row["rmse"] = own.rmse;
+    row["bias"] = own.bias;
+    row["rmse_ambient"] = ambient.rmse;
+    row["bias_ambient"] = ambient.bias;
+    return row;
+  }
+
+  /// Median of a frame's time without layers.
+  double milliseconds(RenderSettings settings) {
+    settings.layers = false;
+    std::vector<double> seconds = timedRuns(options_.runs, [&] { renderer_.render(camera_, settings); });
+    std::sort(seconds.begin(), seconds.end());
+    constexpr double kPerSecond = 1000;
+    return kPerSecond * seconds[seconds.size() / 2];
+  }
+  double headLight() { return milliseconds({.size = size_, .shading = Shading::local}); }
+  std::string backend() const { return std::string(context_->backend()) + ", " + context_->description(); }
+
+ private:
+  ReferenceScene scene() const { return {tracer_, frame_.worldFromAxes}; }
+
+  const std::vector<double>& truthOf(const ScreenTruth& truth, double radius) {
+    for (const auto& [known, picture] : truths_)
+      if (known == truth) return picture;
+    return truths_.emplace_back(truth, truthPicture(scene(), hits_, truth, radius, options_.rays)).second;
+  }
+
+  const Options& options_;
+  glm::ivec2 size_;
+  std::array<glm::dvec3, 8> corners_;
+  Camera camera_;
+  GridFrame frame_;
+  SurfaceTracer tracer_;
+  std::unique_ptr<Context> context_;
+  Renderer renderer_;
+  std::vector<ReferencePixel> hits_;
+  std::vector<double> ambient_;
+  std::vector<std::pair<ScreenTruth, std::vector<double>>> truths_;
+};
+
+std::string cell(const nlohmann::ordered_json& row, const char* key) {
+  const auto found = row.find(key);
+  if (found == row.end()) return "";
+  if (found->is_number_float()) return fmt::format("{:.4g}", found->get<double>());
+  return found->is_string() ? found->get<std::string>() : found->dump();
+}
+
+constexpr std::array kColumns{"occlusion",    "ao-samples", "surface", "ao-normalisation", "membership",  "integral",
+                              "milliseconds", "rmse",       "bias",    "rmse_ambient",     "bias_ambient"};
+
+std::string textOf(const nlohmann::ordered_json& rows, const char* before, const char* between, const char* after) {
+  std::string text;
+  for (const auto& row : rows) {
+    text += before;
+    for (const char* column : kColumns) text += (column == kColumns[0] ? "" : between) + cell(row, column);
+    text += after;
+  }
+  return text;
+}
+
+std::string csvOf(const nlohmann::ordered_json& rows) {
+  return fmt::format("{}\n", fmt::join(kColumns, ";")) + textOf(rows, "", ";", "\n");
+}
+
+std::string tableOf(const nlohmann::ordered_json& rows) {
+  std::string rule;
+  for (std::size_t i = 0; i < kColumns.size(); ++i) rule += "|---";
+  return fmt::format("| {} |\n{}|\n", fmt::join(kColumns, " | "), rule) + textOf(rows, "| ", " | ", " |\n");
+}
+
+nlohmann::ordered_json work(const Options& options) {
+  limitThreads(options.run.threads);
+  StageLog log(options.run);
+  const Surface surface = readSurface(options.surface, log);
+  Judge judge(options, surface);
+  nlohmann::ordered_json report{{"size", options.size}, {"threads", threadCount()}, {"gl", judge.backend()}};
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  rows.push_back({{"occlusion", "none"}, {"milliseconds", judge.headLight()}});
+  for (const ScreenRequest& each : requests(options.samples)) rows.push_back(judge.row(each));
+  if (!options.csv.empty()) writeFileAtomically(options.csv, csvOf(rows));
+  if (!options.table.empty()) writeFileAtomically(options.table, tableOf(rows));
+  report["rows"] = rows;
+  return report;
+}
+
+}  // namespace
+}  // namespace isolume::bench
+
+int main(int argc, char** argv) {
+  using namespace isolume;
+  bench::Options options;
+  CLI::App app{"Times and judges the screen-space estimators on one volume.", "report_screen"};
+  addSurfaceOptions(app, options.surface);
+  addRunOptions(app, options.run);
+  app.add_option("--size", options.size, "WxH, pixels");
+  app.add_option("--radius", options.radius, "world units")->check(CLI::PositiveNumber);
+  app.add_option("--samples", options.samples, "per pixel")->check(CLI::Range(1, kMostScreenSamples));
+  app.add_option("--rays", options.rays, "exact samples per pixel")->check(CLI::PositiveNumber);
+  app.add_option("--runs", options.runs, "timed frames")->check(CLI::PositiveNumber);
+  app.add_option("--csv", options.csv, "file to write");
+  app.add_option("--table", options.table, "file to write");
+  return bench::runReportProgram(app, argc, argv, [&options] { return bench::work(options); });
+}
