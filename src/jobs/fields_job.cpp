@@ -25,7 +25,7 @@ Grid<float> toFloat(const Samples& samples, float full) {
   constexpr float kFull = 65535;
   Grid<float> values(samples.size(), samples.view().spacing, samples.view().origin);
   for (std::size_t i = 0; i < values.count(); ++i)
-    values.data()[i] = static_cast<float>(samples.data()[i]) * (full / kFull);
+    values.data()[i] = static_cast<float>(samples.data()[i]) / kFull * full;
   return values;
 }
 

@@ -44,7 +44,8 @@ Shading shadingOf(OcclusionMethod method) {
 OcclusionSetting occlusionOf(const RenderJob& job) {
   OcclusionRequest request = job.occlusion;
   if (job.screen.estimator) request.method = OcclusionMethod::none;
-  if (!givenOption(request) && isFieldsFile(job.surface.input)) request.method = OcclusionMethod::octants;
+  if (!givenOption(request) && !givenOption(job.light) && isFieldsFile(job.surface.input))
+    request.method = OcclusionMethod::octants;
   return chooseOcclusion(request);
 }
 

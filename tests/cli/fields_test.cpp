@@ -1,11 +1,15 @@
 // Saved fields: what they hold, and that drawing from them is drawing from the volume.
 #include <gmock/gmock.h>
-#include <filesystem>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/picture.h"
 #include "cli/program.h"
+#include "src/io/vdb.h"
 
 namespace isolume::test {
 namespace {
@@ -45,6 +49,37 @@ TEST_F(Fields, AlsoServeOrdinates) {
            "20x20", "--layers", "all", "-o", "direct.exr"});
   runWell({"render", "f.vdb", "--occlusion", "ordinates", "--size", "20x20", "--layers", "all", "-o", "saved.exr"});
   EXPECT_TRUE(sameBits(readImage(path("direct.exr")), readImage(path("saved.exr"))));
+}
+
+TEST_F(Fields, AlsoServeLights) {
+  // Lights that octants do not have are swept through a file of fields without further words.
+  runWell({"render", "f.vdb", "--light", "gradient:zenith=red", "--size", "20x20", "-o", "lit.exr"});
+  EXPECT_THAT(metadata(readImage(path("lit.exr")), "isolume:settings"), HasSubstr("--occlusion ordinates"));
+}
+
+TEST_F(Fields, MayHoldMoreForOtherPrograms) {
+  // Openness, bent normals and thickness are grids of their own, with values within their ranges next to the surface;
+  // the picture from the file does not change.
+  runWell({"fields", "corner.vdb", "--isovalue", "0.01", "--inside", "below", "--with", "openness,bent,thickness", "-o",
+           "more.vdb"});
+  const Volume openness = readVdb(path("more.vdb"), "openness"), cone = readVdb(path("more.vdb"), "cone");
+  const Volume thickness = readVdb(path("more.vdb"), "thickness");
+  std::array<Volume, 3> bent{readVdb(path("more.vdb"), "bent_x"), readVdb(path("more.vdb"), "bent_y"),
+                             readVdb(path("more.vdb"), "bent_z")};
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < openness.values.count(); ++i) {
+    const auto at = [i](const Volume& volume) { return volume.values.data()[i]; };
+    const double length = std::hypot(at(bent[0]), at(bent[1]), at(bent[2]));
+    ASSERT_TRUE(length == 0 || std::abs(length - 1) < 1e-5) << i;
+    ASSERT_TRUE(at(openness) >= 0 && at(openness) <= 1 && at(cone) >= 0 && at(cone) <= 1.5708F) << i;
+    ASSERT_EQ(at(cone) > 0 && length == 0, false) << i;
+    near += length > 0 && at(openness) > 0 ? 1 : 0;
+  }
+  EXPECT_GT(near, 1000U);
+  EXPECT_GT(*std::max_element(thickness.values.data(), thickness.values.data() + thickness.values.count()), 0);
+  for (const char* file : {"f.vdb", "more.vdb"})
+    runWell({"render", file, "--size", "20x20", "-o", std::string(file) + ".exr"});
+  EXPECT_EQ(channel(readImage(path("f.vdb.exr")), "R"), channel(readImage(path("more.vdb.exr")), "R"));
 }
 
 TEST_F(Fields, AlsoDrawWithoutOcclusion) {

@@ -64,10 +64,12 @@ TEST(LightOption, EveryKeyReachesTheLight) {
   EXPECT_EQ(bands.bands[1], glm::vec3(1));
   EXPECT_EQ(bands.bands[2], glm::vec3(0));
   EXPECT_EQ(bands.color, glm::vec3(3));
-  const LightRequest sun = light("sun:azimuth=-30:elevation=12.5:radius=0:from=camera");
+  const LightRequest sun = light("sun:azimuth=-30:elevation=12.5:radius=0.5:shadow=hard:from=camera");
   EXPECT_EQ(sun.azimuthDegrees, -30);
   EXPECT_EQ(sun.elevationDegrees, 12.5);
-  EXPECT_EQ(sun.radiusDegrees, 0);
+  EXPECT_EQ(sun.radiusDegrees, 0.5);
+  EXPECT_EQ(sun.shadow, SunShadow::hard);
+  EXPECT_EQ(light("sun:shadow=turned").shadow, SunShadow::turned);
   EXPECT_TRUE(sun.fromCamera);
   EXPECT_FALSE(light("sun:from=world").fromCamera);
   EXPECT_EQ(light("sun:direction=1,-2,0.5").direction, glm::dvec3(1, -2, 0.5));
@@ -76,7 +78,8 @@ TEST(LightOption, EveryKeyReachesTheLight) {
 
 TEST(LightOption, UnknownWordsAreRefusedWithASuggestion) {
   // A kind or key that there is not is named with those that there are, and with the one that is meant.
-  EXPECT_THAT(lightRefusal("sunn"), HasSubstr("--light: expected one of sky, gradient, sun, head, found 'sunn'"));
+  EXPECT_THAT(lightRefusal("sunn"),
+              HasSubstr("--light: expected one of sky, gradient, sun, head, octants, found 'sunn'"));
   EXPECT_THAT(lightRefusal("sunn"), HasSubstr("did you mean sun?"));
   EXPECT_THAT(lightRefusal(""), HasSubstr("found ''"));
   EXPECT_THAT(lightRefusal("Sky"), HasSubstr("sky"));
@@ -93,7 +96,7 @@ TEST(LightOption, BrokenKeysAreRefused) {
   EXPECT_EQ(lightRefusal("sun:radius"), "--light sun: expected KEY=VALUE after each colon, found 'radius'");
   EXPECT_EQ(lightRefusal("sky:"), "--light sky: expected KEY=VALUE after each colon, found ''");
   EXPECT_EQ(lightRefusal("sun:radius=1:radius=2"), "--light sun: expected each key once, found radius again");
-  EXPECT_THAT(lightRefusal("sun:radius="), HasSubstr("--light sun:radius: expected a number from 0 to 90"));
+  EXPECT_THAT(lightRefusal("sun:radius="), HasSubstr("--light sun:radius: expected a number above 0"));
   EXPECT_THAT(lightRefusal("sun:=3"), HasSubstr("expected one of"));
   EXPECT_THAT(lightRefusal("sky:color=mauve"), HasSubstr("--light sky:color: "));
 }
@@ -169,13 +172,21 @@ TEST(LightOption, ContradictionsAreRefused) {
     return refusal([&] { checkLighting(lightingOf(options), method); });
   };
   EXPECT_EQ(refused({"--environment-rotation", "3"}), "--environment-rotation: expected --environment beside it");
-  for (const OcclusionMethod method : {OcclusionMethod::octants, OcclusionMethod::singh10, OcclusionMethod::none}) {
-    EXPECT_EQ(
-        refused({"--light", "sun"}, method),
-        std::string("--light: expected --occlusion ordinates beside it, or none, found ") + occlusionName(method));
+  for (const OcclusionMethod method : {OcclusionMethod::octants, OcclusionMethod::singh10, OcclusionMethod::combined}) {
+    for (const char* light : {"head", "gradient", "sun:shadow=hard", "sun:shadow=turned"})
+      EXPECT_THAT(refused({"--light", light}, method), HasSubstr("expected --occlusion ordinates beside it")) << light;
     EXPECT_THAT(refused({"--bounces", "1"}, method), HasSubstr("--bounces: expected --occlusion ordinates"));
-    EXPECT_THAT(refused({"--opacity", "1"}, method), HasSubstr("--opacity: expected --occlusion ordinates"));
+    EXPECT_THAT(refused({"--environment", "a.exr"}, method),
+                HasSubstr("--environment: expected --occlusion ordinates"));
+    for (const char* light : {"sky", "sun", "octants:top=only"})
+      EXPECT_NO_THROW(
+          lightingOf({"--light", light, "--opacity", "0.5", "--occlusion", std::string(occlusionName(method)).c_str()}))
+          << light;
   }
+  EXPECT_THAT(refused({"--light", "octants"}), HasSubstr("--light octants: expected --occlusion singh10"));
+  for (const char* option : {"--exposure", "--opacity", "--bounces"})
+    EXPECT_EQ(refused({option, "1"}, OcclusionMethod::none),
+              std::string(option) + ": expected a method of occlusion beside it, found none");
   EXPECT_EQ(refused({"--opacity", "0.5", "--bounces", "1"}),
             "--bounces: expected an opaque solid, found --opacity below 1");
   EXPECT_THAT(refused({"--opacity", "0.5", "--light", "sky", "--light", "sun"}), HasSubstr("found a sun"));
@@ -196,6 +207,50 @@ TEST(LightOption, SettingsAreTheOptionsAgain) {
                              R"("environment-rotation":-12.5,"exposure":-0.5,"bounces":"all"})");
   EXPECT_EQ(lightingSettings(lightingOf({"--opacity", "0.5"})).dump(), R"({"opacity":0.5})");
   EXPECT_EQ(lightingSettings(lightingOf({})).dump(), "{}");
+}
+
+TEST(LightOption, OctantsAreLitOneByOne) {
+  // Intensities go to the octants in their order, `top` to those above, a sun to the octant that it stands in, turned
+  // with the grid; several lights add up, times the exposure.
+  const auto octants = [](std::vector<const char*> options, glm::dmat3 worldFromAxes = glm::dmat3(1)) {
+    options.insert(options.end(), {"--occlusion", "octants"});
+    return octantLights(lightingOf(std::move(options)), worldFromAxes);
+  };
+  const auto numbered = octants({"--light", "octants:intensities=0,1,2,3,4,5,6,7:color=1,0,0", "--exposure", "1"});
+  const auto top = octants({"--light", "octants:top=only"}), white = octants({});
+  const auto sun = octants({"--light", "sun:direction=1,-2,3:intensity=0.5", "--light", "sky:intensity=0.25"});
+  // The grid's x axis lies along the world's y: the light along world (1, -2, 3) is along (-2, -1, 3) of the grid.
+  const glm::dmat3 turned(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
+  const auto turnedSun = octants({"--light", "sun:direction=1,-2,3"}, turned);
+  for (std::size_t s = 0; s < kOctants.size(); ++s) {
+    const glm::ivec3 towards = kOctants[s].towardsLight();
+    EXPECT_EQ(numbered[s], glm::vec3(2.0F * static_cast<float>(s), 0, 0)) << s;
+    EXPECT_EQ(top[s], glm::vec3(towards.z > 0 ? 1 : 0)) << s;
+    EXPECT_EQ(white[s], glm::vec3(1)) << s;
+    EXPECT_EQ(sun[s], glm::vec3(towards == glm::ivec3(1, -1, 1) ? 0.75F : 0.25F)) << s;
+    EXPECT_EQ(turnedSun[s], glm::vec3(towards == glm::ivec3(-1, -1, 1) ? 1 : 0)) << s;
+  }
+  EXPECT_THAT(lightRefusal("octants:intensities=1,2"), HasSubstr("expected 8 numbers, found 2"));
+  EXPECT_THAT(lightRefusal("octants:intensities=1,1,1,1,1,1,1,-1"), HasSubstr("--light octants:intensities"));
+}
+
+TEST(LightOption, PresetsGiveWayToWhatStandsBesideThem) {
+  // A preset sets lights, albedo, reflections and gamma; each option replaces its own part, wherever it stands; the
+  // published look is the octants with gamma 2.
+  const RenderJob clay = parse({"--preset", "clay"}), own = parse({"--light", "sky", "--preset", "clay"});
+  EXPECT_EQ(clay.light.lights.size(), 2U);
+  EXPECT_EQ(clay.light.bounces, kAllBounces);
+  ASSERT_EQ(own.light.lights.size(), 1U);
+  EXPECT_EQ(own.light.lights[0].kind, LightKind::sky);
+  EXPECT_EQ(own.albedo.text, clay.albedo.text);
+  EXPECT_NE(clay.albedo.text, RenderJob().albedo.text);
+  EXPECT_EQ(parse({"--bounces", "3", "--preset", "clay"}).light.bounces, 3);
+  const RenderJob published = parse({"--preset", "singh10"});
+  EXPECT_EQ(published.occlusion.method, OcclusionMethod::singh10);
+  EXPECT_EQ(published.gamma, 2);
+  EXPECT_FALSE(isPlain(parse({"--preset", "translucent"}).light));
+  for (const char* name : {"studio", "cloudy"}) EXPECT_FALSE(parse({"--preset", name}).light.lights.empty()) << name;
+  EXPECT_THAT(refusal([] { parse({"--preset", "studoi"}); }), HasSubstr("did you mean studio?"));
 }
 
 }  // namespace

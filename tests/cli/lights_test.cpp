@@ -113,7 +113,7 @@ TEST_F(LitBall, BrokenMapsAreInputErrors) {
 TEST_F(LitBall, ContradictionsAreUsageErrors) {
   // Exit code 2 and nothing written for options that contradict each other.
   for (const std::vector<std::string>& options : {std::vector<std::string>{"--environment-rotation", "3"},
-                                                  {"--light", "sun", "--occlusion", "octants"},
+                                                  {"--light", "head", "--occlusion", "octants"},
                                                   {"--opacity", "0.5", "--bounces", "1"},
                                                   {"--opacity", "0.5", "--light", "sun"},
                                                   {"--light", "sun", "--layers", "ambient"},

@@ -96,12 +96,12 @@ TEST_F(ReferencePicture, ColourIsAlbedoTimesLight) {
 }
 
 TEST_F(ReferencePicture, OpacityIsInThePictureAndItsProvenance) {
-  // Opacity 0 is white over the albedo and beside the ball; the setting is recorded as an option.
+  // At opacity 0 light comes from both sides, 2 in all, times the albedo; the setting is recorded as an option.
   const Image clear =
       trace({"--integrand", "translucent", "--opacity", "0", "--rays", "16", "--albedo", "red"}, "clear.exr");
   const std::size_t middle = 12 * 32 + 16;
-  EXPECT_EQ(channel(clear, "translucent.Y")[middle], 1);
-  EXPECT_EQ(channel(clear, "R")[middle], 1);
+  EXPECT_EQ(channel(clear, "translucent.Y")[middle], 2);
+  EXPECT_EQ(channel(clear, "R")[middle], 2);
   EXPECT_EQ(channel(clear, "translucent.Y")[0], 1);
   EXPECT_EQ(channel(clear, "thickness.Y")[0], 0);
   EXPECT_NEAR(channel(clear, "thickness.Y")[middle], 4 * 5 / 3.0, 0.5);  // a ball of radius 5, 16 rays

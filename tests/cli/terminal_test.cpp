@@ -27,8 +27,8 @@ TEST_F(Terminal, ShowsOneLineThatIsErasedAtTheEnd) {
   // On a terminal each stage is shown on the same line, and nothing of it stays.
   if (!hasPseudoTerminals()) GTEST_SKIP() << "no pseudo-terminals here, so no terminal to show progress on";
   const std::string shown = errorOf({}, true);
-  for (const char* part :
-       {"reading ", "sweeping distance over 17x17x17 voxels", "ordinates over 17x17x17 voxels", "drawing", "writing out.png"})
+  for (const char* part : {"reading ", "sweeping distance over 17x17x17 voxels", "ordinates over 17x17x17 voxels",
+                           "drawing", "writing out.png"})
     EXPECT_THAT(shown, HasSubstr(part));
   const std::size_t lastErased = shown.rfind(kEraseLine);
   ASSERT_NE(lastErased, std::string::npos);

@@ -59,7 +59,7 @@ nlohmann::ordered_json work(const Options& options) {
     RenderJob job;
     job.output = fmt::format("{}{}.exr", options.output, rays);
     job.layers.all = true;
-    writeImage(job.output, imageOf(frame, job));
+    writeImage(job.output, imageOf(frame, job, {}));
     report["pictures"].push_back({{"rays", rays}, {"seconds", seconds}, {"picture", job.output}});
   }
   return report;
