@@ -14,7 +14,8 @@ namespace isolume {
 shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, const RenderSettings& settings,
                                         const GridFrame& grid);
 
-/// march_lights for that many fields, up to kMostLightFields, and suns, up to kMostSuns: loops of known length.
-GlProgram buildLightProgram(std::size_t fields, std::size_t suns);
+/// march_lights for these fields, up to kMostLightFields, and suns, up to kMostSuns: loops of known length, and nothing
+/// of a disc where there is none.
+GlProgram buildLightProgram(const std::vector<LightField>& fields, std::size_t suns);
 
 }  // namespace isolume

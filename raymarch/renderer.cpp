@@ -155,7 +155,7 @@ struct Renderer::Impl {
     builtSuns = shading == Shading::lights ? suns : builtSuns;
     if (built.name() == 0) {
       const ProgramVariant& variant = programVariant(variantName(shading));
-      built = shading == Shading::lights ? buildLightProgram(scene.lights.size(), suns)
+      built = shading == Shading::lights ? buildLightProgram(scene.lightFields, suns)
                                          : buildProgram(variant.vertex, variant.fragment);
     }
     return built;

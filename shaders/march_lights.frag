@@ -3,8 +3,8 @@
 #include "lib/disc_light.glsl"
 #include "march/light_counts.glsl"
 #include "march/scene.glsl"
-#include "march/shadow.glsl"
 #include "shared/light_uniforms.h"
+#include "march/suns.glsl"
 
 layout(std140, binding = 1) uniform LightBlock { LightUniforms lights; };
 layout(binding = 8) uniform sampler2DArray lightTextures[max(kLightFields, 1)];
@@ -25,16 +25,10 @@ vec3 hitLight(vec3 hit, vec3 normal, vec3 viewer) {
   vec3 sum = lights.head.rgb * abs(dot(normal, viewer));
   for (int i = 0; i < kLightFields; ++i) {
     float light = lightAt(lightTextures[i], centre, low.z, hit - low);
-    vec4 disc = lights.disc[i];
-    if (disc.w > 0.0f) light *= discCosine(dot(normal, disc.xyz), disc.w);
+    if ((kDiscs >> i & 1) != 0) light *= discCosine(dot(normal, lights.disc[i].xyz), lights.disc[i].w);
     sum += light * lights.color[i].rgb;
   }
-  for (int i = 0; i < kSuns; ++i) {
-    vec3 sun = lights.sun[i].xyz;
-    float cosine = max(dot(normal, sun), 0.0f);
-    sum += cosine * lightVisibility(hit, normal, sun / frame.scale.xyz) * lights.sunColor[i].rgb;
-  }
-  return sum;
+  return sum + sunLight(lights, hit, normal);
 }
 
 #include "march/main.glsl"
