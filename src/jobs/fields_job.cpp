@@ -37,13 +37,14 @@ void addBent(const std::array<Samples, 3>& bent, std::vector<std::pair<std::stri
   parallelFor(static_cast<std::size_t>(bent[0].size().z), [&](std::size_t z) {
     const std::size_t layer = bent[0].count() / static_cast<std::size_t>(bent[0].size().z);
     for (std::size_t i = z * layer; i < (z + 1) * layer; ++i) {
-      if ((bent[0].data()[i] | bent[1].data()[i] | bent[2].data()[i]) == 0) continue;
-      glm::vec3 mean;
-      for (int c = 0; c < 3; ++c) mean[c] = bentComponent(bent[static_cast<std::size_t>(c)].data()[i]);
+      const bool swept = (bent[0].data()[i] | bent[1].data()[i] | bent[2].data()[i]) != 0;
+      glm::vec3 mean(0);
+      if (swept)
+        for (int c = 0; c < 3; ++c) mean[c] = bentComponent(bent[static_cast<std::size_t>(c)].data()[i]);
       const float length = glm::length(mean);
-      if (!(length > 0)) continue;
-      for (int c = 0; c < 3; ++c) to[first + static_cast<std::size_t>(c)].second.data()[i] = mean[c] / length;
-      to[first + 3].second.data()[i] = coneAngle(length);
+      for (int c = 0; c < 3; ++c)
+        to[first + static_cast<std::size_t>(c)].second.data()[i] = length > 0 ? mean[c] / length : 0;
+      to[first + 3].second.data()[i] = length > 0 ? coneAngle(length) : 0;
     }
   });
 }

@@ -145,7 +145,7 @@ def write_skies(work: Path) -> tuple[Path, Path]:
     bright = (towards > np.cos(np.radians(3))) * 120.0
     colors = {}
     for name, zenith, horizon, ground, tint in (("R", .25, .7, .18, 1), ("G", .4, .75, .14, .9), ("B", .8, .85, .1, .75)):
-        sky = np.where(up > 0, horizon + (zenith - horizon) * up**.5, ground)
+        sky = np.where(up > 0, horizon + (zenith - horizon) * np.maximum(up, 0)**.5, ground)
         colors[name] = (sky + tint * bright).astype(np.float32)
     write_exr(work / "sky.exr", colors)
     return work / "half.exr", work / "sky.exr"

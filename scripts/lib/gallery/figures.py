@@ -45,7 +45,7 @@ VOLUMES = {
     "capillaries": Volume("capillaries", ("--isovalue", "0", "--inside", "below"), 192),
     "vorticity": Volume("vorticity", ("--isovalue", "0", "--inside", "below"), 160),
     "gyroid": Volume("gyroid", ("--isovalue", "0", "--inside", "below"), 160),
-    "cranium": Volume("cranium.nhdr", ("--isovalue", "300"), view=("--azimuth", "30", "--elevation", "10")),
+    "cranium": Volume("cranium.nhdr", ("--isovalue", "300"), view=("--azimuth", "150", "--elevation", "8")),
     "betaGal": Volume("betaGal.mrc", ("--isovalue", "0.06")),
     "mni": Volume("mni152_2009.nii.gz", ()),
     "aorta": Volume("aorta_cta.mha", ("--isovalue", "800")),
@@ -64,8 +64,8 @@ def geometry_term(volume: str) -> Row:
 
 def cloudy(volume: str, half_sky: Path) -> Row:
     return Row(volume, (
-        Panel("singh10, top octants", ("--occlusion", "singh10", "--light", "octants:top=only")),
-        Panel("the same, gamma 2", (*PUBLISHED, "--light", "octants:top=only")),
+        Panel("octants, top four", ("--occlusion", "octants", "--light", "octants:top=only")),
+        Panel("singh10, gamma 2", (*PUBLISHED, "--light", "octants:top=only")),
         Panel("ordinates, half a sky", ("--environment", str(half_sky))),
         Panel("reference", ("--integrand", "environment", "--environment", str(half_sky)), truth=True,
               channel="irradiance.G")))
