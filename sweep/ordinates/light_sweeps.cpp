@@ -80,7 +80,7 @@ DiscLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radius
   return {{rays.surface().spread(shares, &known), 1}, std::move(visible)};
 }
 
-float coneAngle(float meanLength) { return (1 - std::max(0.0F, 2 * meanLength - 1)) * std::numbers::pi_v<float> / 2; }
+float coneAngle(float meanLength) { return (1 - std::clamp(2 * meanLength - 1, 0.0F, 1.0F)) * std::numbers::pi_v<float> / 2; }
 
 std::array<Grid<std::uint16_t>, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes) {
   std::vector<Ordinate> sky;

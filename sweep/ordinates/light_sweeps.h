@@ -45,7 +45,7 @@ std::vector<glm::dvec3> capDirections(glm::dvec3 axis, double radiusDegrees, int
 /// per voxel.
 std::array<Grid<std::uint16_t>, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes);
 inline float bentComponent(float value) { return value / 32767.5F - 1; }
-/// C from |N_b|, radians.
+/// C from |N_b|, radians, in [0, pi / 2].
 float coneAngle(float meanLength);
 
 }  // namespace isolume
