@@ -157,6 +157,9 @@ void checkRenderOptions(const RenderJob& job) {
         fmt::format("--layers: expected ambient, normal, position or depth with --occlusion {}, found others",
                     screenEstimatorName(*job.screen.estimator)));
   checkLighting(job.light, method);
+  if (isTranslucent(job.light) && job.occlusion.refinement.value_or(1) != 1)
+    throw UsageError(
+        fmt::format("--refinement: expected 1 beside a translucent solid, found {}", *job.occlusion.refinement));
   if ((job.layers.bent || job.layers.thickness) && method != OcclusionMethod::ordinates)
     throw UsageError(fmt::format("--layers: expected --occlusion ordinates beside '{}', found {}",
                                  job.layers.bent ? "bent" : "thickness", occlusionName(method)));

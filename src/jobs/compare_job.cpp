@@ -27,7 +27,8 @@ void runCompareJob(const CompareJob& job) {
   if (!job.heat.empty()) checkImageTarget(job.heat, {"R", "G", "B"});
   limitThreads(job.run.threads);
   const Image got = readImage(job.got), want = readImage(job.want);
-  const LayerPair pair = pairLayers(job.layer, job.wantLayer.empty() ? job.layer : job.wantLayer, {job.got, got}, {job.want, want});
+  const LayerPair pair =
+      pairLayers(job.layer, job.wantLayer.empty() ? job.layer : job.wantLayer, {job.got, got}, {job.want, want});
   std::optional<DifferenceField> shown;  // before anything is printed: it may be refused
   if (!job.heat.empty()) shown = shownDifference(pair);
   const Comparison comparison = compareLayer(pair);

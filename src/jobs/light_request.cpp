@@ -21,9 +21,13 @@ bool has(const LightingRequest& request, LightKind kind) {
 
 }  // namespace
 
+bool isTranslucent(const LightingRequest& request) {
+  return request.opacity ? *request.opacity < 1 : request.freePathShare.has_value();
+}
+
 bool isPlain(const LightingRequest& request) {
   return request.lights.empty() && request.environment.empty() && request.exposure == 0 &&
-         request.bounces.value_or(0) == 0 && request.opacity.value_or(1) == 1 && !request.freePathShare;
+         request.bounces.value_or(0) == 0 && !isTranslucent(request);
 }
 
 const char* givenOption(const LightingRequest& request) {
@@ -46,6 +50,7 @@ void checkOctantLights(const LightingRequest& request, OcclusionMethod method) {
                                    occlusionName(method)));
   };
   refuse(!request.environment.empty(), "--environment");
+  refuse(request.freePathShare && !request.opacity, "--preset translucent without --opacity");
   refuse(request.bounces.value_or(0) != 0, "--bounces");
   refuse(has(request, LightKind::gradient), "--light gradient");
   refuse(has(request, LightKind::head), "--light head");
@@ -70,7 +75,7 @@ void checkLighting(const LightingRequest& request, OcclusionMethod method) {
     throw UsageError(
         fmt::format("--light octants: expected --occlusion singh10, octants or combined beside it, found {}",
                     occlusionName(method)));
-  if (request.opacity.value_or(1) == 1 && !request.freePathShare) return;
+  if (!isTranslucent(request)) return;
   if (request.bounces.value_or(0) != 0)
     throw UsageError("--bounces: expected an opaque solid, found --opacity below 1");
   if (has(request, LightKind::sun))

@@ -64,6 +64,9 @@ inline constexpr double kTranslucentShare = 0.03;
 /// Whether light is openness and nothing else: one white sky, no reflection, an opaque solid.
 bool isPlain(const LightingRequest& request);
 
+/// Whether light comes through the solid.
+bool isTranslucent(const LightingRequest& request);
+
 /// UsageError for options that contradict each other or the method of occlusion.
 void checkLighting(const LightingRequest& request, OcclusionMethod method);
 

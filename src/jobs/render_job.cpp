@@ -151,8 +151,13 @@ void runRenderJob(const RenderJob& request) {
   preloadImageCodec();
   StageLog log(job.run);
 
-  const OcclusionSetting occlusion = occlusionOf(job);
+  OcclusionSetting occlusion = occlusionOf(job);
   checkLighting(job.light, occlusion.method);
+  if (isTranslucent(job.light)) {
+    // Rays that carry lengths pass the samples themselves; the calibrated error is that of openness.
+    occlusion.ordinates.refinement = 1;
+    occlusion.error.reset();
+  }
   const Shading shading = shadingOf(occlusion.method);
   FieldNeeds needs{.distance = job.normals == NormalSource::distance || shading == Shading::lights};
   if (shading == Shading::octants) needs.visibility = VisibilityStorage::rgba8;

@@ -190,6 +190,9 @@ TEST(LightOption, ContradictionsAreRefused) {
   EXPECT_EQ(refused({"--opacity", "0.5", "--bounces", "1"}),
             "--bounces: expected an opaque solid, found --opacity below 1");
   EXPECT_THAT(refused({"--opacity", "0.5", "--light", "sky", "--light", "sun"}), HasSubstr("found a sun"));
+  EXPECT_EQ(refused({"--opacity", "0.5", "--ordinates", "64", "--refinement", "2"}),
+            "--refinement: expected 1 beside a translucent solid, found 2");
+  EXPECT_THAT(refused({"--preset", "translucent", "--occlusion", "octants"}), HasSubstr("without --opacity"));
   for (const std::vector<const char*>& options : {std::vector<const char*>{"--opacity", "1", "--bounces", "1"},
                                                   {"--opacity", "0", "--bounces", "0"},
                                                   {"--opacity", "0.5", "--light", "head"},
