@@ -40,6 +40,7 @@ const Scene& scene() {
 int ordinates(const benchmark::State& state) { return static_cast<int>(state.range(0)); }
 
 void whiteSky(benchmark::State& state) {
+  scene();
   for (auto _ : state)
     benchmark::DoNotOptimize(
         sweepOpenness(scene().level.view(), scene().distance.view(), {.ordinates = ordinates(state)}));

@@ -19,7 +19,7 @@ from report.exr import write_exr  # noqa: E402
 from .figures import VOLUMES, Figure, Panel, Row, Volume, figures  # noqa: E402
 
 PIXELS = 360
-RAYS = "256"  # of references: a standard error of .03 per pixel at the most, which the RMSE holds
+RAYS = "128"  # of references: a standard error of .045 per pixel at the most, which the RMSE holds
 INCHES = 1.9
 
 

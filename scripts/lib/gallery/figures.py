@@ -130,8 +130,8 @@ def figures(half_sky: Path, sky: Path) -> tuple[Figure, ...]:
                 shadows("aorta", "1,-.6,1.3", "1,-1,1"), shadows("cranium", "1,-.9,1.3", "1,-1,1"))),
         Figure("translucent", "Light through the solid",
                "[Singh10] Fig. 10: Eq. 8 with octants and with ordinates. Shown at half a stop less.",
-               tuple(translucent(volume, opacity) for volume in ("capillaries", "mni")
-                     for opacity in ("1", ".7", ".4", ".1"))),
+               (*(translucent("capillaries", opacity) for opacity in ("1", ".7", ".4", ".1")),
+                translucent("betaGal", ".4"), translucent("betaGal", ".1"))),
         Figure("reflections", "Light between surfaces",
                "What gamma 2 stands for in [Singh10]: the surface sends light on.",
                (reflections("gyroid"), reflections("cranium"))),
