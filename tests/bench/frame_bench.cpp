@@ -1,9 +1,9 @@
 // A further frame at 1024^2 of the 256^3 gyroid, after upload and compilation, on the default backend, in
 // the memory of the frame before.
 //
-// Held fixed: scene, camera (default framing), picture size. `occlusion` reads octants, `local` does not, `layers` adds
-// the G-buffer read-back, `samples4` is four passes. Beside the time: the share of pixels that hit, as a check that the
-// picture is there.
+// Held fixed: scene, camera (default framing), picture size. `openness` reads a light field, `relit` the same after its
+// colour changed, `octants` eight octants, `local` nothing; `layers` adds the G-buffer read-back, `samples4` is four
+// passes. Beside the time: the share of pixels that hit, as a check that the picture is there.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -53,6 +53,9 @@ void frame(benchmark::State& state, RenderSettings settings) {
 }
 
 BENCHMARK_CAPTURE(frame, openness, RenderSettings{.shading = Shading::lights})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(frame, relit, RenderSettings{.shading = Shading::lights, .lightColors = {{1.0F, 0.5F, 0.25F}}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(frame, octants, RenderSettings{})->Unit(benchmark::kMillisecond)->UseRealTime();
