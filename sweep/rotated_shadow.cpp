@@ -15,6 +15,7 @@
 #include "light_sweeper.h"
 #include "octants.h"
 #include "parallel.h"
+#include "trilinear.h"
 
 namespace isolume {
 namespace {
@@ -36,20 +37,6 @@ glm::dmat3 smallestTurn(glm::dvec3 from, glm::dvec3 to) {
   const glm::dvec3 v = glm::cross(from, to);
   const glm::dmat3 cross(glm::dvec3(0, v.z, -v.y), glm::dvec3(-v.z, 0, v.x), glm::dvec3(v.y, -v.x, 0));
   return glm::dmat3(1) + cross + cross * cross / (1 + glm::dot(from, to));
-}
-
-// Equal values stay what they are, infinite ones too.
-double between(double low, double high, double part) { return low == high ? low : low + (high - low) * part; }
-
-// Trilinear at a point of index space within the grid; at least one sample along each axis.
-double valueAt(GridView<const float> field, glm::dvec3 position) {
-  const glm::ivec3 last = field.size - 1;
-  const glm::ivec3 low = glm::clamp(glm::ivec3(position), glm::ivec3(0), last);
-  const glm::ivec3 high = glm::min(low + 1, last);
-  const glm::dvec3 part = position - glm::dvec3(low);
-  const auto row = [&](int y, int z) { return between(field(low.x, y, z), field(high.x, y, z), part.x); };
-  return between(between(row(low.y, low.z), row(high.y, low.z), part.y),
-                 between(row(low.y, high.z), row(high.y, high.z), part.y), part.z);
 }
 
 // Difference quotient one sample to each side, one-sided at the border; 0 along an axis with one sample.
@@ -105,7 +92,7 @@ Grid<float> turnDistance(GridView<const float> distance, const TurnedGrid& turne
         const glm::dvec3 index = turned.positionOf({x, y, z}) / distance.spacing;
         const bool within = glm::all(glm::greaterThanEqual(index, glm::dvec3(-kSlack))) &&
                             glm::all(glm::lessThanEqual(index, last + kSlack));
-        *out = within ? static_cast<float>(valueAt(distance, glm::clamp(index, glm::dvec3(0), last)))
+        *out = within ? static_cast<float>(trilinear(distance, glm::clamp(index, glm::dvec3(0), last)))
                       : std::numeric_limits<float>::infinity();
       }
   });
@@ -143,7 +130,7 @@ Grid<std::uint16_t> sweepRotatedShadow(GridView<const float> distance, glm::dvec
           if (std::isfinite(length) && length > 0) position += offset / length * gradient;
         }
         const glm::dvec3 index = glm::clamp(turned.indexOf(position), glm::dvec3(0), glm::dvec3(turned.size - 1));
-        shadow.view()(x, y, z) = static_cast<std::uint16_t>(std::lround(65535 * valueAt(visibility, index)));
+        shadow.view()(x, y, z) = static_cast<std::uint16_t>(std::lround(65535 * trilinear(visibility, index)));
       }
   });
   return shadow;

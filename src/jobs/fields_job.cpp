@@ -3,66 +3,64 @@
 #include <fmt/core.h>
 
 #include <cstdint>
-#include <glm/geometric.hpp>
 #include <utility>
 
+#include "raymarch/view.h"
 #include "src/errors.h"
 #include "src/io/output_file.h"
 #include "src/io/vdb.h"
-#include "src/jobs/lighting.h"
 #include "src/jobs/provenance.h"
 #include "src/jobs/report.h"
 #include "src/version.h"
+#include "sweep/ordinates/light_sweeps.h"
+#include "sweep/ordinates/openness_sweep.h"
+#include "sweep/ordinates/translucency.h"
 #include "sweep/parallel.h"
 
 namespace isolume {
-
 namespace {
 
-using Samples = Grid<std::uint16_t>;
-
-Grid<float> toFloat(const Samples& samples, float full) {
-  constexpr float kFull = 65535;
-  Grid<float> values(samples.size(), samples.view().spacing, samples.view().origin);
+Grid<float> toFloat(const SweptLight& swept) {
+  Grid<float> values(swept.values.size(), swept.values.view().spacing, swept.values.view().origin);
   for (std::size_t i = 0; i < values.count(); ++i)
-    values.data()[i] = static_cast<float>(samples.data()[i]) / kFull * full;
+    values.data()[i] = swept.valueOf(static_cast<float>(swept.values.data()[i]));
   return values;
 }
 
 /// Where nothing was swept the mean is stored as 0, which stands for (-1, -1, -1).
-void addBent(const std::array<Samples, 3>& bent, std::vector<std::pair<std::string, Grid<float>>>& to) {
+void addBent(const std::array<Grid<std::uint16_t>, 3>& bent, std::vector<std::pair<std::string, Grid<float>>>& to) {
   const std::size_t first = to.size();
   for (const char* name : {"bent_x", "bent_y", "bent_z", "cone"})
     to.emplace_back(name, Grid<float>(bent[0].size(), bent[0].view().spacing, bent[0].view().origin));
-  parallelFor(static_cast<std::size_t>(bent[0].size().z), [&](std::size_t z) {
-    const std::size_t layer = bent[0].count() / static_cast<std::size_t>(bent[0].size().z);
+  const auto layers = static_cast<std::size_t>(bent[0].size().z), layer = bent[0].count() / layers;
+  parallelFor(layers, [&](std::size_t z) {
     for (std::size_t i = z * layer; i < (z + 1) * layer; ++i) {
-      const bool swept = (bent[0].data()[i] | bent[1].data()[i] | bent[2].data()[i]) != 0;
       glm::vec3 mean(0);
-      if (swept)
+      if ((bent[0].data()[i] | bent[1].data()[i] | bent[2].data()[i]) != 0)
         for (int c = 0; c < 3; ++c) mean[c] = bentComponent(bent[static_cast<std::size_t>(c)].data()[i]);
-      const float length = glm::length(mean);
-      for (int c = 0; c < 3; ++c)
-        to[first + static_cast<std::size_t>(c)].second.data()[i] = length > 0 ? mean[c] / length : 0;
-      to[first + 3].second.data()[i] = length > 0 ? coneAngle(length) : 0;
+      const BentNormal normal = bentNormal(mean);
+      for (int c = 0; c < 3; ++c) to[first + static_cast<std::size_t>(c)].second.data()[i] = normal.direction[c];
+      to[first + 3].second.data()[i] = normal.cone;
     }
   });
 }
 
+/// What a picture of the default setting would take, but for the refinement: lengths need a lattice of the samples.
 void sweepOthers(const OtherFields& wanted, const SweptScene& scene, FieldsFile& file, StageLog& log) {
   if (!wanted.any()) return;
-  const OrdinateOptions ordinates = chooseOcclusion({}).ordinates;
-  log.begin("light", fmt::format("sweeping {} ordinates over {}", ordinates.ordinates, gridText(scene)));
-  LightingRequest request;
-  request.bent = wanted.bent;
-  request.thickness = wanted.thickness;
-  const SweptLighting lighting = sweepLighting(request, ordinates, nullptr, scene, {}, glm::vec3(1));
+  const int ordinates = OrdinateOptions().ordinates;
+  log.begin("light", fmt::format("sweeping {} ordinates over {}", ordinates, gridText(scene)));
+  const GridView<const float> distance = scene.swept.distance.view();
+  const SurfaceRays rays(scene.surface.level.view(), distance, 1);
   if (wanted.openness)
-    file.others.emplace_back("openness", toFloat(lighting.fields[0].values, lighting.fields[0].full));
-  if (lighting.bent) addBent(*lighting.bent, file.others);
-  if (lighting.thickness)
-    file.others.emplace_back("thickness", toFloat(lighting.thickness->values, lighting.thickness->full));
-  log.end(lighting.bytes());
+    file.others.emplace_back("openness",
+                             toFloat({rays.surface().spread(opennessOf(blockedShares(rays, ordinates))), 1}));
+  if (wanted.bent)
+    addBent(sweepBentNormals(rays, ordinates, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes), file.others);
+  if (wanted.thickness) file.others.emplace_back("thickness", toFloat(sweepThickness(rays, distance, ordinates)));
+  std::size_t bytes = 0;
+  for (const auto& [name, values] : file.others) bytes += values.count() * sizeof(float);
+  log.end(bytes);
 }
 
 }  // namespace

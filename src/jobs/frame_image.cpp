@@ -1,12 +1,11 @@
 #include "src/jobs/frame_image.h"
 
 #include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <string>
 #include <utility>
 
 #include "sweep/parallel.h"
+#include "sweep/trilinear.h"
 
 namespace isolume {
 namespace {
@@ -25,19 +24,9 @@ void addVector(Image& image, const std::string& layer, const std::vector<glm::ve
   for (int i = 0; i < 3; ++i) image.channels.push_back(channelOf(layer + kAxes[i], pixels, i));
 }
 
-/// Trilinear among the samples around a hit, all of which hold a value.
+/// Among the samples around a hit, all of which hold a value.
 float fieldAt(const Grid<std::uint16_t>& field, glm::vec3 index) {
-  const GridView<const std::uint16_t> values = field.view();
-  const glm::ivec3 low = glm::clamp(glm::ivec3(index), glm::ivec3(0), values.size - 2);
-  const glm::vec3 part = index - glm::vec3(low);
-  float sum = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::ivec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::vec3 weight = glm::mix(1.0f - part, part, glm::vec3(side));
-    const glm::ivec3 at = low + side;
-    sum += weight.x * weight.y * weight.z * static_cast<float>(values(at.x, at.y, at.z));
-  }
-  return sum;
+  return static_cast<float>(trilinear(field.view(), glm::dvec3(index)));
 }
 
 bool isHit(const Frame& frame, std::size_t i) { return std::isfinite(frame.depth[i]); }
@@ -52,19 +41,17 @@ void addBent(Image& image, const Frame& frame, const std::array<Grid<std::uint16
       if (!isHit(frame, i)) continue;
       glm::vec3 mean;
       for (int c = 0; c < 3; ++c) mean[c] = bentComponent(fieldAt(bent[static_cast<std::size_t>(c)], frame.index[i]));
-      const float length = glm::length(mean);
-      if (!(length > 0)) continue;
-      for (int c = 0; c < 3; ++c) image.channels[first + static_cast<std::size_t>(c)].values[i] = mean[c] / length;
-      image.channels[first + 3].values[i] = coneAngle(length);
+      const BentNormal normal = bentNormal(mean);
+      for (int c = 0; c < 3; ++c) image.channels[first + static_cast<std::size_t>(c)].values[i] = normal.direction[c];
+      image.channels[first + 3].values[i] = normal.cone;
     }
   });
 }
 
 void addThickness(Image& image, const Frame& frame, const SweptLight& thickness) {
-  constexpr float kFull = 65535;
   std::vector<float> values(frame.depth.size(), 0);
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (isHit(frame, i)) values[i] = fieldAt(thickness.values, frame.index[i]) * thickness.full / kFull;
+    if (isHit(frame, i)) values[i] = thickness.valueOf(fieldAt(thickness.values, frame.index[i]));
   image.channels.push_back({"thickness.Y", std::move(values)});
 }
 

@@ -1,7 +1,5 @@
 #include "src/jobs/lighting.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -72,14 +70,15 @@ class LightingSweep {
   void addWhiteSky(glm::vec3 color) {
     open_ += color;
     if (opacity_ < 1) {
-      addTranslucent(uniformSky(count_), color);
+      SweptLight thickness = addTranslucent(uniformSky(count_), color);
+      if (request_.thickness) swept_.thickness = std::move(thickness);
       return;
     }
     std::vector<float> light = blockedShares(rays_, count_);
     addField({rays_.surface().spread(opennessOf(light)), 1}, color);
     blocked_ = light;
     for (float& each : light) each = std::clamp(1 - each, 0.0F, 1.0F);
-    addDirect(light.data(), color);
+    addDirect(light, color);
   }
 
   void addMap(const EnvironmentMap& map) {
@@ -102,15 +101,11 @@ class LightingSweep {
       glm::vec3 color(grey ? 1.0F : 0.0F);
       if (!grey) color[c] = 1;
       addField(lightOfFeet(rays_.surface(), reflected.light.data()), color);
-      swept_.bounces = std::max(swept_.bounces, reflected.bounces);
     }
   }
 
   void addThickness() {
-    if (swept_.thickness) return;
-    // Any free path will do: only lengths are wanted.
-    swept_.thickness =
-        sweepTranslucency(coarseRays(), distance_, uniformSky(count_), smallestSpacing(level_.spacing)).thickness;
+    if (!swept_.thickness) swept_.thickness = sweepThickness(coarseRays(), distance_, count_);
   }
 
   void addBentNormals() { swept_.bent = sweepBentNormals(rays_, count_, worldFromAxes_); }
@@ -134,7 +129,7 @@ class LightingSweep {
   }
 
   /// E / pi of each foot, for what the surface sends on.
-  void addDirect(const float* light, glm::vec3 color) {
+  void addDirect(const std::vector<float>& light, glm::vec3 color) {
     if (request_.bounces.value_or(0) == 0) return;
     for (int c = 0; c < 3; ++c) {
       std::vector<float>& direct = direct_[static_cast<std::size_t>(c)];
@@ -154,20 +149,19 @@ class LightingSweep {
       addTranslucent(channel, colors[c]);
     }
     if (opacity_ < 1) return;
-    const std::vector<float> sums = rays_.sum(sky, static_cast<int>(colors.size()), SurfaceRays::Count::visible);
+    std::vector<SurfaceLight> lights = sweepSky(rays_, sky, static_cast<int>(colors.size()));
     for (std::size_t c = 0; c < colors.size(); ++c) {
-      const float* light = sums.data() + c * rays_.count();
-      addDirect(light, colors[c]);
-      addField(lightOfFeet(rays_.surface(), light), colors[c]);
+      addDirect(lights[c].light, colors[c]);
+      addField(std::move(lights[c].field), colors[c]);
     }
   }
 
-  void addTranslucent(const std::vector<Ordinate>& sky, glm::vec3 color) {
-    Translucency through =
-        opacity_ > 0 ? sweepTranslucency(rays_, distance_, sky, meanFreePath(opacity_, smallestSpacing(level_.spacing)))
-                     : sweepTranslucency(rays_, distance_, sky, kNoOpacity);
+  /// The thickness as that sky weighs it.
+  SweptLight addTranslucent(const std::vector<Ordinate>& sky, glm::vec3 color) {
+    const double path = opacity_ > 0 ? meanFreePath(opacity_, smallestSpacing(level_.spacing)) : kNoOpacity;
+    Translucency through = sweepTranslucency(rays_, distance_, sky, path);
     addField(std::move(through.light), color);
-    if (!swept_.thickness) swept_.thickness = std::move(through.thickness);
+    return std::move(through.thickness);
   }
 
   void addSun(const LightRequest& sun, glm::vec3 color) {
@@ -181,9 +175,9 @@ class LightingSweep {
     const bool soft = sun.shadow == SunShadow::soft;
     if (!soft && request_.bounces.value_or(0) == 0) return;
     const double radius = soft ? sun.radiusDegrees : kPointDegrees;
-    DiscLight disc = sweepDisc(rays_, direction, radius, soft ? discOrdinates(radius) : 1);
-    addDirect(disc.light.data(), color);
-    if (soft) addField(std::move(disc.share), color, {.values = {}, .direction = world, .radiusDegrees = radius});
+    SurfaceLight disc = sweepDisc(rays_, direction, radius, soft ? discOrdinates(radius) : 1);
+    addDirect(disc.light, color);
+    if (soft) addField(std::move(disc.field), color, {.values = {}, .direction = world, .radiusDegrees = radius});
   }
 
   const LightingRequest& request_;

@@ -26,7 +26,6 @@ struct SweptLighting {
   glm::vec3 head{0};  ///< colour of the head light
   std::optional<SweptLight> thickness;
   std::optional<std::array<Grid<std::uint16_t>, 3>> bent;
-  int bounces = 0;  ///< reflections that were swept
   std::size_t bytes() const;
 };
 

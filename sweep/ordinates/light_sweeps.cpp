@@ -40,11 +40,13 @@ SweptLight lightOfFeet(const SurfaceFeet& surface, const float* values) {
   return light;
 }
 
-std::vector<SweptLight> sweepSky(const SurfaceRays& rays, const std::vector<Ordinate>& sky, int channels) {
+std::vector<SurfaceLight> sweepSky(const SurfaceRays& rays, const std::vector<Ordinate>& sky, int channels) {
   const std::vector<float> sums = rays.sum(sky, channels, SurfaceRays::Count::visible);
-  std::vector<SweptLight> lights;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c)
-    lights.push_back(lightOfFeet(rays.surface(), sums.data() + c * rays.count()));
+  std::vector<SurfaceLight> lights;
+  for (int c = 0; c < channels; ++c) {
+    const float* light = sums.data() + static_cast<std::size_t>(c) * rays.count();
+    lights.push_back({lightOfFeet(rays.surface(), light), {light, light + rays.count()}});
+  }
   return lights;
 }
 
@@ -60,7 +62,7 @@ std::vector<glm::dvec3> capDirections(glm::dvec3 axis, double radiusDegrees, int
   return directions;
 }
 
-DiscLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radiusDegrees, int ordinates) {
+SurfaceLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radiusDegrees, int ordinates) {
   assert(radiusDegrees > 0 && radiusDegrees <= 90 && ordinates >= 1);
   const std::vector<glm::dvec3> directions = capDirections(glm::normalize(direction), radiusDegrees, ordinates);
   std::vector<Ordinate> disc;
@@ -80,7 +82,11 @@ DiscLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double radius
   return {{rays.surface().spread(shares, &known), 1}, std::move(visible)};
 }
 
-float coneAngle(float meanLength) { return (1 - std::clamp(2 * meanLength - 1, 0.0F, 1.0F)) * std::numbers::pi_v<float> / 2; }
+BentNormal bentNormal(glm::vec3 mean) {
+  const float length = glm::length(mean);
+  if (!(length > 0)) return {};
+  return {mean / length, (1 - std::clamp(2 * length - 1, 0.0F, 1.0F)) * std::numbers::pi_v<float> / 2};
+}
 
 std::array<Grid<std::uint16_t>, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes) {
   std::vector<Ordinate> sky;

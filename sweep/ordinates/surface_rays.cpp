@@ -10,9 +10,6 @@
 namespace isolume {
 namespace {
 
-/// Of fixed-point sums: far from the end of int32 even where every rounding of a group goes one way.
-constexpr double kLargestSum = 1 << 30;
-
 double largestTotal(const std::vector<Ordinate>& ordinates, int channels) {
   double largest = 0;
   for (int c = 0; c < channels; ++c) {
@@ -61,34 +58,39 @@ SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> dist
   }
 }
 
-std::vector<float> SurfaceRays::sum(const std::vector<Ordinate>& ordinates, int channels, Count count) const {
-  const std::size_t feet = surface_.feet().size(), stride = feet + kRayPadding;
-  std::vector<float> sums(feet * static_cast<std::size_t>(channels), 0);
-  const double total = largestTotal(ordinates, channels);
-  if (feet == 0 || total == 0) return sums;
-  const auto scale = static_cast<float>(kLargestSum / total);
-  FootSums shared(stride * static_cast<std::size_t>(channels));
-  // Of all axes, before they are rounded to float.
-  std::vector<std::int32_t> whole(sums.size(), 0);
+std::vector<std::int32_t> SurfaceRays::sumGroups(const std::vector<Ordinate>& ordinates, int channels, int most,
+                                                 const GroupSweep& sweep) const {
+  const std::size_t feet = count(), stride = feet + kRayPadding, all = static_cast<std::size_t>(channels);
+  FootSums shared(stride * all);
+  std::vector<std::int32_t> whole(feet * all, 0);
   for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<RayGroup> groups = rayGroups(axis, ordinates, cell(), kRayGroup);
+    const std::vector<RayGroup> groups = rayGroups(axis, ordinates, cell(), most);
     const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
     parallelFor(groups.size(), [&](std::size_t i) {
       std::vector<std::int32_t> own = shared.take();
-      sweepRays(layers, groups[i].towards, groups[i].directions, points(axis),
-                {.channels = channels,
-                 .visible = count == Count::visible,
-                 .scale = scale,
-                 .stride = static_cast<std::ptrdiff_t>(stride),
-                 .sums = own.data()});
+      sweep(axis, layers, groups[i], static_cast<std::ptrdiff_t>(stride), own.data());
       shared.giveBack(std::move(own));
     });
     const std::uint32_t* foot = points(axis).foot();
     forEachFoot(feet, [&](std::size_t i) {
-      for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c)
-        whole[c * feet + foot[i]] += shared.takeTotal(c * stride + i);
+      for (std::size_t c = 0; c < all; ++c) whole[c * feet + foot[i]] += shared.takeTotal(c * stride + i);
     });
   }
+  return whole;
+}
+
+std::vector<float> SurfaceRays::sum(const std::vector<Ordinate>& ordinates, int channels, Count count) const {
+  std::vector<float> sums(surface_.feet().size() * static_cast<std::size_t>(channels), 0);
+  const double total = largestTotal(ordinates, channels);
+  if (sums.empty() || total == 0) return sums;
+  const auto scale = static_cast<float>(kLargestSum / total);
+  const std::vector<std::int32_t> whole = sumGroups(
+      ordinates, channels, kRayGroup,
+      [&](int axis, const LatticeLayers& layers, const RayGroup& group, std::ptrdiff_t stride, std::int32_t* own) {
+        sweepRays(
+            layers, group.towards, group.directions, points(axis),
+            {.channels = channels, .visible = count == Count::visible, .scale = scale, .stride = stride, .sums = own});
+      });
   forEachFoot(sums.size(), [&](std::size_t i) { sums[i] = static_cast<float>(whole[i] / static_cast<double>(scale)); });
   return sums;
 }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "ray_points.h"
@@ -22,6 +23,9 @@ struct Ordinate {
   glm::dvec3 direction{0, 0, 1};
   std::array<float, kMostChannels> value{1};
 };
+
+/// What fixed-point sums may come to: far from the end of int32 even where every rounding of a group goes one way.
+inline constexpr double kLargestSum = 1 << 30;
 
 /// Directions of one axis and sense that are swept together.
 struct RayGroup {
@@ -45,6 +49,13 @@ class SurfaceRays {
   std::size_t count() const { return surface_.feet().size(); }
 
   enum class Count { blocked, visible };
+  /// A sweep of one group along an axis, which adds to sums[c * stride + i] for point i of that axis and channel c.
+  using GroupSweep = std::function<void(int axis, const LatticeLayers& lattice, const RayGroup& group,
+                                        std::ptrdiff_t stride, std::int32_t* sums)>;
+  /// [c * count() + foot] = the sums of all groups of up to `most` ordinates. Threaded.
+  std::vector<std::int32_t> sumGroups(const std::vector<Ordinate>& ordinates, int channels, int most,
+                                      const GroupSweep& sweep) const;
+
   /// [c * count() + foot] = sum of value[c] max(N . w, 0) over the ordinates that are blocked or visible; with four
   /// channels without the cosine, over those that face the foot. To 2^-30 of the sum of all values.
   std::vector<float> sum(const std::vector<Ordinate>& ordinates, int channels, Count count) const;

@@ -6,6 +6,7 @@
 
 #include "carried_sums.h"
 #include "foot_sums.h"
+#include "sky_ordinates.h"
 
 namespace isolume {
 
@@ -33,6 +34,11 @@ Translucency sweepTranslucency(const SurfaceRays& rays, GridView<const float> di
   std::vector<float> thickness(sums.begin() + static_cast<std::ptrdiff_t>(rays.count()), sums.end());
   for (float& each : thickness) each = static_cast<float>(each / mean);
   return {lightOfFeet(rays.surface(), sums.data()), lightOfFeet(rays.surface(), thickness.data())};
+}
+
+SweptLight sweepThickness(const SurfaceRays& rays, GridView<const float> distance, int ordinates) {
+  // Any free path will do: only lengths are wanted.
+  return sweepTranslucency(rays, distance, uniformSky(ordinates), smallestSpacing(distance.spacing)).thickness;
 }
 
 }  // namespace isolume

@@ -23,6 +23,9 @@ struct Translucency {
   SweptLight thickness;  ///< mean of L over the directions into the solid, weighed by |N . w|; world units
 };
 
+/// The thickness alone.
+SweptLight sweepThickness(const SurfaceRays& rays, GridView<const float> distance, int ordinates);
+
 /// `rays` of refinement 1 over `distance`. The thickness is right only if the sky's values are equal.
 Translucency sweepTranslucency(const SurfaceRays& rays, GridView<const float> distance,
                                const std::vector<Ordinate>& sky, double meanFreePath);
