@@ -16,6 +16,7 @@ DepthSpread depthSpread(vec2 at, float share) {
   return DepthSpread((moments.x - place.position.z) / place.axes.z.z, deviation / place.axes.z.z);
 }
 
+#include "screen/ball_line.glsl"
 #include "screen/area.glsl"
 
 float estimate(Shaded shaded) {

@@ -25,11 +25,8 @@ uint sectorsBetween(float a, float b) {
 uint closedSectors(Shaded shaded, Slice slice, float side, int steps) {
   uint closed = 0u;
   for (int j = 0; j < steps; ++j) {
-    float even = marchReach(shaded.jitter, j, steps);
-    float reach = side * even * even;
-    vec3 seen = seenPoint(vec3(reach * slice.along.x, reach * slice.along.y, 0.0f));
-    float distance = length(seen);
-    if (distance > kSmallestDistance && distance < 1.0f) {
+    vec3 seen = sliceStep(shaded, slice, side, j, steps);
+    if (occludes(seen)) {
       vec3 behind = vec3(seen.x, seen.y, seen.z + seenThickness());
       closed |= sectorsBetween(sectorPlace(slice.normal, side * angleFromEye(seen)),
                                sectorPlace(slice.normal, side * angleFromEye(behind)));

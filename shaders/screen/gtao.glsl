@@ -7,14 +7,8 @@
 float gtaoHorizon(Shaded shaded, Slice slice, float side, int steps) {
   float horizon = slice.normal + side * kQuarterTurn;
   for (int j = 0; j < steps; ++j) {
-    // Squared: steps are closest where horizons change most.
-    float even = marchReach(shaded.jitter, j, steps);
-    float reach = side * even * even;
-    vec3 seen = seenPoint(vec3(reach * slice.along.x, reach * slice.along.y, 0.0f));
-    float distance = length(seen);
-    if (distance > kSmallestDistance && distance < 1.0f) {
-      horizon = side * min(side * horizon, angleFromEye(seen));
-    }
+    vec3 seen = sliceStep(shaded, slice, side, j, steps);
+    if (occludes(seen)) horizon = side * min(side * horizon, angleFromEye(seen));
   }
   return horizon;
 }

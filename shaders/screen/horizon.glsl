@@ -29,6 +29,20 @@ Slice sliceAlong(vec3 normal, vec2 along) {
   return Slice(along, atan(across, towards), sqrt(across * across + towards * towards));
 }
 
+// What step j of `count` on one side (+1 or -1) of a slice sees. Steps grow as squares: they are closest where horizons
+// change most.
+vec3 sliceStep(Shaded shaded, Slice slice, float side, int j, int count) {
+  float even = marchReach(shaded.jitter, j, count);
+  float reach = side * even * even;
+  return seenPoint(vec3(reach * slice.along.x, reach * slice.along.y, 0.0f));
+}
+
+// Whether it counts as an occluder: neither the shaded point itself, nor beyond the radius.
+bool occludes(vec3 seen) {
+  float distance = length(seen);
+  return distance > kSmallestDistance && distance < 1.0f;
+}
+
 // integral over [0, h], or [h, 0], of cos(theta - normal) |sin theta|: what a slice receives from the angles between the
 // direction to the eye and h ([Jimenez16] Eq. 7).
 float sliceLight(float normal, float h) {

@@ -1,6 +1,7 @@
 #version 450 core
 // Lines through the ball, or through two balls: the product keeps features of both sizes ([Loos10] Sec. 6).
 #include "screen/harness.glsl"
+#include "screen/ball_line.glsl"
 #include "screen/line.glsl"
 
 float estimate(Shaded shaded) {

@@ -9,14 +9,9 @@ float lineOpenness(Shaded shaded, float scale) {
   for (int i = 0; i < sampleCount(); ++i) {
     vec4 each = sampleAt(i);
     vec2 at = scale * turnedBy(shaded.turn, each.x, each.y);
-    vec2 line = vec2(-scale * each.z, scale * each.z);
-    if (clampedToTangent()) {
-      line = aboveTangent(shaded.normal, tangentDepth(shaded.normal, at.x, at.y), line.x, line.y);
-    }
+    vec2 line = ballLine(shaded, at, scale * each.z);
     open += each.w * outerLength(outerParts(at, line.x, line.y));
     whole += each.w * (line.y - line.x);
   }
-  float ball = clampedToTangent() ? 0.5f * scale : scale;
-  float divisor = normalisedBySamples() ? whole : ball;
-  return divisor > 0.0f ? clamp(open / divisor, 0.0f, 1.0f) : 1.0f;
+  return shareOfBall(open, whole, scale);
 }

@@ -64,6 +64,8 @@ inline DepthSpread depthSpread(vec2 at, float share) {
 
 #include "shaders/screen/horizon.glsl"
 
+#include "shaders/screen/ball_line.glsl"
+
 #include "shaders/screen/area.glsl"
 #include "shaders/screen/bitmask.glsl"
 #include "shaders/screen/disk.glsl"
