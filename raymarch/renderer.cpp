@@ -277,11 +277,13 @@ void Renderer::upload(const SceneFields& fields) {
   if (impl_->screen) impl_->screen->forgetScene();
   impl_->scene = uploadScene(fields);
   impl_->programs[static_cast<std::size_t>(Shading::lights)] = {};  // it knows how many they are
-  if (impl_->scene.hasOctants()) impl_->geometryTerm(GeometryTerm::front);
-  // The one that such a scene is for.
-  impl_->program(!impl_->scene.lights.empty() ? Shading::lights
-                 : impl_->scene.hasOctants()  ? Shading::octants
-                                              : Shading::local);
+}
+
+void Renderer::prepare(const RenderSettings& settings) {
+  checkSettings(settings, impl_->scene);
+  if (settings.screen) return;  // many programs, some for the first picture alone: it builds them
+  if (settings.shading == Shading::octants) impl_->geometryTerm(settings.geometryTerm);
+  impl_->program(settings.shading, settings.suns.size());
 }
 
 Frame Renderer::render(const Camera& camera, const RenderSettings& settings, Frame storage) try {

@@ -87,6 +87,9 @@ class Renderer {
 
   /// Replaces the scene. GpuError if a texture is larger than the context takes.
   void upload(const SceneFields& fields);
+  /// Builds the program that pictures of the scene with these settings need, so that the first takes as long as others;
+  /// never needed for what it draws.
+  void prepare(const RenderSettings& settings);
   /// One picture, in the memory of `storage` where it has any (16 MB of fresh pages take a twentieth of the time of a
   /// 1024^2 frame). Bitwise the same on every call with the same scene, camera and settings. std::invalid_argument, one
   /// line, for a camera that contradicts itself; GpuError for settings that cannot be drawn.

@@ -104,6 +104,9 @@ LightRequest parseLight(std::string_view option, std::string_view text) {
   const auto given = [&seen](const char* key) { return std::find(seen.begin(), seen.end(), key) != seen.end(); };
   if (light.direction && (given("azimuth") || given("elevation") || given("from")))
     throw UsageError(fmt::format("{} sun: expected either a direction or angles, found both", option));
+  if (light.radiusDegrees && light.shadow != SunShadow::soft)
+    throw UsageError(fmt::format("{} sun: expected a radius with a soft shadow alone, found a {} one", option,
+                                 light.shadow == SunShadow::hard ? "hard" : "turned"));
   return light;
 }
 

@@ -19,6 +19,41 @@ bool has(const LightingRequest& request, LightKind kind) {
                      [kind](const LightRequest& light) { return light.kind == kind; });
 }
 
+float exposureOf(const LightingRequest& request) { return static_cast<float>(std::exp2(request.exposure)); }
+
+bool isGrey(glm::vec3 color) { return color.r == color.g && color.g == color.b; }
+
+/// One number per sample stands for all octants, whose light is known before the grid is.
+void checkCombinedLights(const LightingRequest& request) {
+  for (const LightRequest& light : request.lights) {
+    if (light.kind == LightKind::sun || !isGrey(light.color))
+      throw UsageError(
+          fmt::format("--light: expected grey octants or skies with --occlusion combined, found '{}'", light.text));
+  }
+  const OctantIntensities intensities = combinedIntensities(request);
+  if (std::all_of(intensities.begin(), intensities.end(), [](float each) { return each == 0; }))
+    throw UsageError("--light: expected light from one octant at least with --occlusion combined, found none");
+}
+
+/// What eight octants alone can do.
+void checkOctantLights(const LightingRequest& request, OcclusionMethod method) {
+  const auto refuse = [method](bool given, const char* option) {
+    if (given)
+      throw UsageError(fmt::format("{}: expected --occlusion ordinates beside it, or none, found {}", option,
+                                   occlusionName(method)));
+  };
+  refuse(!request.environment.empty(), "--environment");
+  refuse(request.freePathShare && !request.opacity, "--preset translucent without --opacity");
+  refuse(request.bounces.value_or(0) != 0, "--bounces");
+  refuse(has(request, LightKind::gradient), "--light gradient");
+  refuse(has(request, LightKind::head), "--light head");
+  for (const LightRequest& light : request.lights) {
+    refuse(light.kind == LightKind::sun && light.shadow != SunShadow::soft, "--light sun with hard or turned shadow");
+    refuse(light.radiusDegrees.has_value(), "--light sun with a radius");
+  }
+  if (method == OcclusionMethod::combined) checkCombinedLights(request);
+}
+
 }  // namespace
 
 bool isTranslucent(const LightingRequest& request) {
@@ -39,26 +74,6 @@ const char* givenOption(const LightingRequest& request) {
          : request.opacity              ? "--opacity"
                                         : nullptr;
 }
-
-namespace {
-
-/// What eight octants alone can do.
-void checkOctantLights(const LightingRequest& request, OcclusionMethod method) {
-  const auto refuse = [method](bool given, const char* option) {
-    if (given)
-      throw UsageError(fmt::format("{}: expected --occlusion ordinates beside it, or none, found {}", option,
-                                   occlusionName(method)));
-  };
-  refuse(!request.environment.empty(), "--environment");
-  refuse(request.freePathShare && !request.opacity, "--preset translucent without --opacity");
-  refuse(request.bounces.value_or(0) != 0, "--bounces");
-  refuse(has(request, LightKind::gradient), "--light gradient");
-  refuse(has(request, LightKind::head), "--light head");
-  for (const LightRequest& light : request.lights)
-    refuse(light.kind == LightKind::sun && light.shadow != SunShadow::soft, "--light sun with hard or turned shadow");
-}
-
-}  // namespace
 
 void checkLighting(const LightingRequest& request, OcclusionMethod method) {
   if (request.rotationDegrees && request.environment.empty())
@@ -82,12 +97,22 @@ void checkLighting(const LightingRequest& request, OcclusionMethod method) {
     throw UsageError("--opacity: expected skies and maps as lights, found a sun, whose shadows are those of a solid");
 }
 
-std::array<glm::vec3, kOctantCount> octantLights(const LightingRequest& request, glm::dmat3 worldFromAxes) {
+glm::dvec3 sunDirection(const LightRequest& sun, const CameraAxes& camera) {
+  if (sun.direction) return glm::normalize(*sun.direction);
+  const CameraAxes world{.right = {1, 0, 0}, .up = {0, 0, 1}, .forward = {0, 1, 0}};
+  const CameraAxes& axes = sun.fromCamera ? camera : world;
+  const double azimuth = glm::radians(sun.azimuthDegrees), elevation = glm::radians(sun.elevationDegrees);
+  return std::cos(elevation) * (std::sin(azimuth) * axes.right - std::cos(azimuth) * axes.forward) +
+         std::sin(elevation) * axes.up;
+}
+
+std::array<glm::vec3, kOctantCount> octantLights(const LightingRequest& request, glm::dmat3 worldFromAxes,
+                                                 const CameraAxes& camera) {
   std::array<glm::vec3, kOctantCount> sum{};
-  const auto exposure = static_cast<float>(std::exp2(request.exposure));
+  const float exposure = exposureOf(request);
   if (request.lights.empty()) sum.fill(glm::vec3(exposure));
   for (const LightRequest& light : request.lights) {
-    const glm::dvec3 towards = glm::transpose(worldFromAxes) * worldDirection(light);
+    const glm::dvec3 towards = glm::transpose(worldFromAxes) * sunDirection(light, camera);
     for (std::size_t s = 0; s < sum.size(); ++s) {
       const glm::dvec3 octant(kOctants[s].towardsLight());
       const bool lit = light.kind != LightKind::sun || glm::all(glm::equal(glm::lessThan(towards, glm::dvec3(0)),
@@ -98,10 +123,12 @@ std::array<glm::vec3, kOctantCount> octantLights(const LightingRequest& request,
   return sum;
 }
 
-glm::dvec3 worldDirection(const LightRequest& sun) {
-  if (sun.direction) return glm::normalize(*sun.direction);
-  const double azimuth = glm::radians(sun.azimuthDegrees), elevation = glm::radians(sun.elevationDegrees);
-  return {std::cos(elevation) * std::sin(azimuth), -std::cos(elevation) * std::cos(azimuth), std::sin(elevation)};
+OctantIntensities combinedIntensities(const LightingRequest& request) {
+  OctantIntensities intensities = request.lights.empty() ? kEvenOctants : OctantIntensities{};
+  for (const LightRequest& light : request.lights)
+    for (std::size_t s = 0; s < intensities.size(); ++s) intensities[s] += light.octants[s] * light.color.g;
+  for (float& each : intensities) each *= exposureOf(request);
+  return intensities;
 }
 
 nlohmann::ordered_json lightingSettings(const LightingRequest& request) {

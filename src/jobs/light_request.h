@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "raymarch/camera.h"
 #include "src/jobs/occlusion_method.h"
 #include "sweep/occlusion_sweep.h"
 
@@ -42,7 +43,7 @@ struct LightRequest {
   bool fromCamera = false;                           ///< sun: angles from the eye: to the right, and up
   SunShadow shadow = SunShadow::soft;
   std::array<float, kOctantCount> octants = kEvenOctants;  ///< octants: of sweep/octants.h
-  double radiusDegrees = 1;                                ///< sun: angular radius, (0, 90], of a soft shadow
+  std::optional<double> radiusDegrees;  ///< sun: angular radius, (0, 90], of a soft shadow; default kSunDegrees
 };
 
 struct LightingRequest {
@@ -58,6 +59,7 @@ struct LightingRequest {
   bool thickness = false;  ///< the thickness is wanted
 };
 inline constexpr int kAllBounces = -1;
+inline constexpr double kSunDegrees = 1;
 /// Light comes through a finger of the solid, and hardly through its body.
 inline constexpr double kTranslucentShare = 0.03;
 
@@ -70,11 +72,15 @@ bool isTranslucent(const LightingRequest& request);
 /// UsageError for options that contradict each other or the method of occlusion.
 void checkLighting(const LightingRequest& request, OcclusionMethod method);
 
-/// Towards a sun, world, unit; angles as those of a camera in the world.
-glm::dvec3 worldDirection(const LightRequest& sun);
+/// Towards a sun, world, unit. Angles are those of a camera in the world, or of the eye `camera`.
+glm::dvec3 sunDirection(const LightRequest& sun, const CameraAxes& camera);
 
 /// What the request comes to with eight octants of the grid's axes: a sun is the octant that it stands in.
-std::array<glm::vec3, kOctantCount> octantLights(const LightingRequest& request, glm::dmat3 worldFromAxes);
+std::array<glm::vec3, kOctantCount> octantLights(const LightingRequest& request, glm::dmat3 worldFromAxes,
+                                                 const CameraAxes& camera);
+
+/// Of grey octants, which need neither grid nor camera: what OcclusionMethod::combined sweeps.
+OctantIntensities combinedIntensities(const LightingRequest& request);
 
 /// The first option that was given, or nullptr.
 const char* givenOption(const LightingRequest& request);

@@ -1,5 +1,7 @@
 #include "src/jobs/lighting.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -8,7 +10,9 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "raymarch/light_uniforms.h"
 #include "raymarch/view.h"
+#include "src/errors.h"
 #include "src/jobs/environment_map.h"
 #include "sweep/ordinates/inter_reflection.h"
 #include "sweep/ordinates/sky_ordinates.h"
@@ -28,12 +32,8 @@ constexpr double kNoOpacity = 1e30;
 
 bool isGrey(glm::vec3 color) { return color.r == color.g && color.g == color.b; }
 
-glm::dvec3 sunDirection(const LightRequest& sun, const Camera& camera) {
-  if (!sun.fromCamera) return worldDirection(sun);
-  const double azimuth = glm::radians(sun.azimuthDegrees), elevation = glm::radians(sun.elevationDegrees);
-  const CameraAxes axes = cameraAxes(camera);
-  return std::cos(elevation) * (std::sin(azimuth) * axes.right - std::cos(azimuth) * axes.forward) +
-         std::sin(elevation) * axes.up;
+bool isGrey(const EnvironmentMap& map) {
+  return std::all_of(map.radiance.begin(), map.radiance.end(), [](glm::vec3 color) { return isGrey(color); });
 }
 
 int discOrdinates(double radiusDegrees) {
@@ -84,8 +84,7 @@ class LightingSweep {
   void addMap(const EnvironmentMap& map) {
     const std::vector<Ordinate> sky =
         mappedSky(count_, map.size, map.radiance, request_.rotationDegrees.value_or(0), axesFromWorld());
-    const bool grey = std::all_of(map.radiance.begin(), map.radiance.end(), isGrey);
-    if (grey)
+    if (isGrey(map))
       addSky(sky, {glm::vec3(exposure_)});
     else
       addSky(sky, {{exposure_, 0, 0}, {0, exposure_, 0}, {0, 0, exposure_}});
@@ -165,7 +164,7 @@ class LightingSweep {
   }
 
   void addSun(const LightRequest& sun, glm::vec3 color) {
-    const glm::dvec3 world = sunDirection(sun, camera_), direction = axesFromWorld() * world;
+    const glm::dvec3 world = sunDirection(sun, cameraAxes(camera_)), direction = axesFromWorld() * world;
     open_ += color;
     if (sun.shadow == SunShadow::turned) {
       const LightField use{.values = {}, .direction = world, .radiusDegrees = kPointDegrees};
@@ -174,7 +173,7 @@ class LightingSweep {
     if (sun.shadow == SunShadow::hard) swept_.suns.push_back({world, color});
     const bool soft = sun.shadow == SunShadow::soft;
     if (!soft && request_.bounces.value_or(0) == 0) return;
-    const double radius = soft ? sun.radiusDegrees : kPointDegrees;
+    const double radius = soft ? sun.radiusDegrees.value_or(kSunDegrees) : kPointDegrees;
     SurfaceLight disc = sweepDisc(rays_, direction, radius, soft ? discOrdinates(radius) : 1);
     addDirect(disc.light, color);
     if (soft) addField(std::move(disc.field), color, {.values = {}, .direction = world, .radiusDegrees = radius});
@@ -195,6 +194,34 @@ class LightingSweep {
   SweptLighting swept_;
 };
 
+/// UsageError, before anything is swept, if the picture's program has no room for so many.
+void checkCounts(const LightingRequest& request, const EnvironmentMap* map, glm::vec3 albedo) {
+  std::size_t fields = request.lights.empty() && !map ? 1 : 0, suns = 0;
+  bool grey = isGrey(albedo);
+  const auto add = [&](std::size_t channels, bool greyLight) {
+    fields += channels;
+    grey = grey && greyLight;
+  };
+  for (const LightRequest& light : request.lights) {
+    const bool hard = light.kind == LightKind::sun && light.shadow == SunShadow::hard;
+    suns += hard ? 1 : 0;
+    if (light.kind == LightKind::gradient)
+      add(light.bands.size(), false);
+    else if (light.kind != LightKind::head)
+      add(hard ? 0 : 1, isGrey(light.color));
+  }
+  if (map) add(isGrey(*map) ? 1 : 3, isGrey(*map));
+  if (request.bounces.value_or(0) != 0) fields += grey ? 1 : 3;
+  if (suns > shader::kMostSuns)
+    throw UsageError(
+        fmt::format("--light: expected at most {} suns with hard shadows, found {}", shader::kMostSuns, suns));
+  if (fields > shader::kMostLightFields)
+    throw UsageError(
+        fmt::format("--light: expected at most {} swept channels of light (a gradient, a coloured map and coloured "
+                    "reflections have three), found {}",
+                    shader::kMostLightFields, fields));
+}
+
 }  // namespace
 
 std::size_t SweptLighting::bytes() const {
@@ -207,6 +234,7 @@ std::size_t SweptLighting::bytes() const {
 
 SweptLighting sweepLighting(const LightingRequest& request, const OrdinateOptions& ordinates, const EnvironmentMap* map,
                             const SweptScene& scene, const Camera& camera, glm::vec3 albedo) {
+  checkCounts(request, map, albedo);
   LightingSweep sweep(request, ordinates, scene, camera);
   if (request.lights.empty() && !map) sweep.addWhiteSky(glm::vec3(std::exp2(static_cast<float>(request.exposure))));
   for (const LightRequest& light : request.lights) sweep.addLight(light);

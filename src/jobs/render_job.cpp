@@ -50,7 +50,7 @@ OcclusionSetting occlusionOf(const RenderJob& job) {
 }
 
 RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occlusion, const SweptLighting& lighting,
-                              glm::dmat3 worldFromAxes) {
+                              const SweptScene& scene, const Camera& camera) {
   RenderSettings settings;
   settings.size = job.size;
   settings.samples = job.samples;
@@ -58,7 +58,8 @@ RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occl
   settings.normals = job.normals;
   settings.occlusionOffsetVoxels = static_cast<float>(occlusion.offset);
   if (settings.shading == Shading::octants) {
-    settings.octantLight = octantLights(job.light, worldFromAxes);
+    settings.octantLight =
+        octantLights(job.light, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes, cameraAxes(camera));
     if (job.light.opacity.value_or(1) < 1) settings.geometryTerm = GeometryTerm::bothSides;
   }
   settings.lightColors = lighting.colors;
@@ -68,6 +69,7 @@ RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occl
   settings.albedo = job.albedo.linear;
   settings.background = glm::vec4(job.background.linear, job.transparent ? 0.0f : 1.0f);
   settings.layers = job.layers.any();
+  settings.screen = chooseScreen(job.screen, solidCorners(scene.surface));
   return settings;
 }
 
@@ -93,14 +95,6 @@ void settleOpacity(LightingRequest& light, const Surface& surface) {
     light.opacity = -std::expm1(-smallestSpacing(surface.level.view().spacing) / path);
   }
   light.freePathShare.reset();
-}
-
-/// Of grey lights, by octant of the grid's axes; the mean over them is what is swept.
-OctantIntensities combinedIntensities(const LightingRequest& request) {
-  OctantIntensities intensities;
-  const std::array<glm::vec3, kOctantCount> lights = octantLights(request, glm::dmat3(1));
-  for (std::size_t s = 0; s < intensities.size(); ++s) intensities[s] = lights[s].g;
-  return intensities;
 }
 
 /// An open point sees half of the octants: it gets what they add up to over half their number.
@@ -172,6 +166,7 @@ void runRenderJob(const RenderJob& request) {
   const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
   SweptLighting lighting = lightScene(job, occlusion, scene, camera, log);
   if (occlusion.method == OcclusionMethod::combined) lighting = combinedLight(job.light, scene.swept.visibility);
+  const RenderSettings settings = renderSettings(job, occlusion, lighting, scene, camera);
   // Beside drawing: it reads the files once more and uses one core.
   std::vector<std::string> files = scene.surface.files;
   if (!job.light.environment.empty()) files.push_back(job.light.environment);
@@ -182,12 +177,10 @@ void runRenderJob(const RenderJob& request) {
   Renderer renderer(*context);
   const SceneFields fields = sceneFields(scene, lighting, job.normals);
   renderer.upload(fields);
+  renderer.prepare(settings);
   log.end(textureBytes(fields));
 
   log.begin("frame", "drawing");
-  RenderSettings settings =
-      renderSettings(job, occlusion, lighting, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes);
-  settings.screen = chooseScreen(job.screen, solidCorners(scene.surface));
   const Frame frame = renderer.render(camera, settings);
   log.end(frameBytes(frame));
 

@@ -51,7 +51,7 @@ TEST(LightOption, KindsHaveTheirDefaults) {
   const LightRequest sun = light("sun");
   EXPECT_EQ(sun.azimuthDegrees, 0);
   EXPECT_EQ(sun.elevationDegrees, 45);
-  EXPECT_EQ(sun.radiusDegrees, 1);
+  EXPECT_FALSE(sun.radiusDegrees);
   EXPECT_FALSE(sun.direction || sun.fromCamera);
 }
 
@@ -64,11 +64,12 @@ TEST(LightOption, EveryKeyReachesTheLight) {
   EXPECT_EQ(bands.bands[1], glm::vec3(1));
   EXPECT_EQ(bands.bands[2], glm::vec3(0));
   EXPECT_EQ(bands.color, glm::vec3(3));
-  const LightRequest sun = light("sun:azimuth=-30:elevation=12.5:radius=0.5:shadow=hard:from=camera");
+  const LightRequest sun = light("sun:azimuth=-30:elevation=12.5:radius=0.5:shadow=soft:from=camera");
   EXPECT_EQ(sun.azimuthDegrees, -30);
   EXPECT_EQ(sun.elevationDegrees, 12.5);
   EXPECT_EQ(sun.radiusDegrees, 0.5);
-  EXPECT_EQ(sun.shadow, SunShadow::hard);
+  EXPECT_EQ(sun.shadow, SunShadow::soft);
+  EXPECT_EQ(light("sun:shadow=hard").shadow, SunShadow::hard);
   EXPECT_EQ(light("sun:shadow=turned").shadow, SunShadow::turned);
   EXPECT_TRUE(sun.fromCamera);
   EXPECT_FALSE(light("sun:from=world").fromCamera);
@@ -117,6 +118,14 @@ TEST(LightOption, ASunHasADirectionOrAngles) {
   for (const char* text :
        {"sun:direction=1,0,0:azimuth=3", "sun:elevation=3:direction=1,0,0", "sun:direction=1,0,0:from=world"})
     EXPECT_EQ(lightRefusal(text), "--light sun: expected either a direction or angles, found both") << text;
+}
+
+TEST(LightOption, HardShadowsHaveNoRadius) {
+  // A radius is that of a soft shadow; beside another it is refused, in any order.
+  EXPECT_EQ(lightRefusal("sun:radius=1:shadow=hard"),
+            "--light sun: expected a radius with a soft shadow alone, found a hard one");
+  EXPECT_EQ(lightRefusal("sun:shadow=turned:radius=1"),
+            "--light sun: expected a radius with a soft shadow alone, found a turned one");
 }
 
 TEST(LightOption, LightsAreTakenInTheOrderGiven) {
@@ -178,11 +187,20 @@ TEST(LightOption, ContradictionsAreRefused) {
     EXPECT_THAT(refused({"--bounces", "1"}, method), HasSubstr("--bounces: expected --occlusion ordinates"));
     EXPECT_THAT(refused({"--environment", "a.exr"}, method),
                 HasSubstr("--environment: expected --occlusion ordinates"));
-    for (const char* light : {"sky", "sun", "octants:top=only"})
+    for (const char* light : {"sky", "octants:top=only"})
       EXPECT_NO_THROW(
           lightingOf({"--light", light, "--opacity", "0.5", "--occlusion", std::string(occlusionName(method)).c_str()}))
           << light;
+    EXPECT_THAT(refused({"--light", "sun:radius=5"}, method), HasSubstr("--light sun with a radius: expected"));
   }
+  for (const char* light : {"sun", "sun:from=camera", "sky:color=red"}) {
+    EXPECT_NO_THROW(checkLighting(lightingOf({"--light", light}), OcclusionMethod::octants)) << light;
+    EXPECT_EQ(refused({"--light", light}, OcclusionMethod::combined),
+              "--light: expected grey octants or skies with --occlusion combined, found '" + std::string(light) + "'");
+  }
+  for (const char* light : {"sky:intensity=0", "octants:intensities=0,0,0,0,0,0,0,0"})
+    EXPECT_EQ(refused({"--light", light, "--occlusion", "combined"}, OcclusionMethod::combined),
+              "--light: expected light from one octant at least with --occlusion combined, found none");
   EXPECT_THAT(refused({"--light", "octants"}), HasSubstr("--light octants: expected --occlusion singh10"));
   for (const char* option : {"--exposure", "--opacity", "--bounces"})
     EXPECT_EQ(refused({option, "1"}, OcclusionMethod::none),
@@ -217,7 +235,9 @@ TEST(LightOption, OctantsAreLitOneByOne) {
   // with the grid; several lights add up, times the exposure.
   const auto octants = [](std::vector<const char*> options, glm::dmat3 worldFromAxes = glm::dmat3(1)) {
     options.insert(options.end(), {"--occlusion", "octants"});
-    return octantLights(lightingOf(std::move(options)), worldFromAxes);
+    // It looks along -z, with its head towards +x.
+    const CameraAxes camera{.right = {0, -1, 0}, .up = {1, 0, 0}, .forward = {0, 0, -1}};
+    return octantLights(lightingOf(std::move(options)), worldFromAxes, camera);
   };
   const auto numbered = octants({"--light", "octants:intensities=0,1,2,3,4,5,6,7:color=1,0,0", "--exposure", "1"});
   const auto top = octants({"--light", "octants:top=only"}), white = octants({});
@@ -225,12 +245,15 @@ TEST(LightOption, OctantsAreLitOneByOne) {
   // The grid's x axis lies along the world's y: the light along world (1, -2, 3) is along (-2, -1, 3) of the grid.
   const glm::dmat3 turned(glm::dvec3(0, 1, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));
   const auto turnedSun = octants({"--light", "sun:direction=1,-2,3"}, turned);
+  // Behind the eye, to its right and above it.
+  const auto eyeSun = octants({"--light", "sun:from=camera:azimuth=30:elevation=20"});
   for (std::size_t s = 0; s < kOctants.size(); ++s) {
     const glm::ivec3 towards = kOctants[s].towardsLight();
     EXPECT_EQ(numbered[s], glm::vec3(2.0F * static_cast<float>(s), 0, 0)) << s;
     EXPECT_EQ(top[s], glm::vec3(towards.z > 0 ? 1 : 0)) << s;
     EXPECT_EQ(white[s], glm::vec3(1)) << s;
     EXPECT_EQ(sun[s], glm::vec3(towards == glm::ivec3(1, -1, 1) ? 0.75F : 0.25F)) << s;
+    EXPECT_EQ(eyeSun[s], glm::vec3(towards == glm::ivec3(1, -1, 1) ? 1 : 0)) << s;
     EXPECT_EQ(turnedSun[s], glm::vec3(towards == glm::ivec3(-1, -1, 1) ? 1 : 0)) << s;
   }
   EXPECT_THAT(lightRefusal("octants:intensities=1,2"), HasSubstr("expected 8 numbers, found 2"));

@@ -125,6 +125,28 @@ TEST_F(LitBall, ContradictionsAreUsageErrors) {
   }
 }
 
+TEST_F(LitBall, MoreLightsThanAPictureHoldsAreAUsageError) {
+  // Eight channels of light and four hard suns are drawn; one more of either is refused with both numbers.
+  const auto lights = [](const std::vector<std::pair<std::string, int>>& kinds) {
+    std::vector<std::string> options;
+    for (const auto& [kind, count] : kinds)
+      for (int i = 0; i < count; ++i) options.insert(options.end(), {"--light", kind});
+    return options;
+  };
+  runWell(command(lights({{"gradient", 2}, {"sky", 2}, {"sun:shadow=hard", 4}, {"head", 3}})));
+  std::vector<std::string> bounced = lights({{"gradient", 2}});
+  bounced.insert(bounced.end(), {"--bounces", "1"});
+  for (const auto& [options, message] :
+       {std::pair{lights({{"gradient", 2}, {"sky", 3}}), "at most 8 swept channels of light"},
+        {bounced, "coloured reflections have three), found 9"},
+        {lights({{"sun:shadow=hard", 5}}), "at most 4 suns with hard shadows, found 5"}}) {
+    const Outcome outcome = run(command(options, "more.exr"));
+    EXPECT_EQ(outcome.exitCode, 2) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(message));
+    EXPECT_THAT(files(), ::testing::Not(::testing::Contains("more.exr")));
+  }
+}
+
 TEST_F(LitBall, BentNormalsAndThicknessAreLayers) {
   // A ball in the open has its normal as bent normal, a cone of a hemisphere, and 4 r / 3 as thickness; what is not hit
   // has 0.

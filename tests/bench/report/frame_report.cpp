@@ -63,6 +63,9 @@ void runOnce(const Surface& surface, const Camera& camera, glm::ivec2 size, Time
     swept = sweepOcclusion(level, sweep);
     if (!octants) openness = sweepOpenness(level, std::as_const(swept.distance).view(), timed.setting.ordinates);
   }));
+  const RenderSettings settings{.size = size,
+                                .shading = octants ? Shading::octants : Shading::lights,
+                                .occlusionOffsetVoxels = static_cast<float>(timed.setting.offset)};
   std::unique_ptr<Context> context;
   std::optional<Renderer> renderer;
   timed.upload.push_back(secondsOf([&] {
@@ -75,10 +78,8 @@ void runOnce(const Surface& surface, const Camera& camera, glm::ivec2 size, Time
       fields.lights = {{std::as_const(openness).view()}};
     context = makeContext();
     renderer.emplace(*context).upload(fields);
+    renderer->prepare(settings);
   }));
-  const RenderSettings settings{.size = size,
-                                .shading = octants ? Shading::octants : Shading::lights,
-                                .occlusionOffsetVoxels = static_cast<float>(timed.setting.offset)};
   timed.firstFrame.push_back(secondsOf([&] { renderer->render(camera, settings); }));
   timed.frame.push_back(secondsOf([&] { renderer->render(camera, settings); }));
 }
