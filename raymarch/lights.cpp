@@ -10,6 +10,7 @@
 
 #include "program.h"
 #include "program_variants.h"
+#include "surface_colors.h"
 
 namespace isolume {
 
@@ -33,7 +34,7 @@ shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, c
   return uniforms;
 }
 
-GlProgram buildLightProgram(const std::vector<LightField>& fields, std::size_t suns) {
+GlProgram buildLightProgram(const std::vector<LightField>& fields, std::size_t suns, bool colored) {
   assert(fields.size() <= shader::kMostLightFields && suns <= shader::kMostSuns);
   unsigned discs = 0;
   for (std::size_t i = 0; i < fields.size(); ++i)
@@ -41,12 +42,12 @@ GlProgram buildLightProgram(const std::vector<LightField>& fields, std::size_t s
   const std::string counts = fmt::format(
       "const int kLightFields = {};\nconst int kDiscs = {};\nconst int kSuns = {};\n", fields.size(), discs, suns);
   const ProgramVariant& variant = programVariant("march_lights");
-  return buildProgram(variant.vertex, variant.fragment, [&counts, suns](std::string_view name) {
+  return buildProgram(variant.vertex, variant.fragment, [&counts, suns, colored](std::string_view name) {
     if (name == "shaders/march/light_counts.glsl") return std::string_view(counts);
     // A loop of no turns still makes the rest of the program slower.
     if (suns == 0 && name == "shaders/march/suns.glsl")
       return std::string_view("vec3 sunLight(LightUniforms lights, vec3 hit, vec3 normal) { return vec3(0.0f); }\n");
-    return embeddedShader(name);
+    return coloredShader(name, colored);
   });
 }
 

@@ -15,7 +15,7 @@ shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, c
                                         const GridFrame& grid);
 
 /// march_lights for these fields, up to kMostLightFields, and suns, up to kMostSuns: loops of known length, and nothing
-/// of a disc where there is none.
-GlProgram buildLightProgram(const std::vector<LightField>& fields, std::size_t suns);
+/// of a disc where there is none. `colored`: by a field (surface_colors.h).
+GlProgram buildLightProgram(const std::vector<LightField>& fields, std::size_t suns, bool colored);
 
 }  // namespace isolume

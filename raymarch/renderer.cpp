@@ -155,8 +155,11 @@ struct Renderer::Impl {
     builtSuns = shading == Shading::lights ? suns : builtSuns;
     if (built.name() == 0) {
       const ProgramVariant& variant = programVariant(variantName(shading));
-      built = shading == Shading::lights ? buildLightProgram(scene.lightFields, suns)
-                                         : buildProgram(variant.vertex, variant.fragment);
+      const bool colored = static_cast<bool>(scene.colors);
+      built = shading == Shading::lights
+                  ? buildLightProgram(scene.lightFields, suns, colored)
+                  : buildProgram(variant.vertex, variant.fragment,
+                                 [colored](std::string_view name) { return coloredShader(name, colored); });
     }
     return built;
   }
@@ -192,6 +195,7 @@ struct Renderer::Impl {
     glBindVertexArray(vertexArray.name());
     const std::array<GLuint, kSwept0Unit> textures{scene.level.name(), scene.clearance.name(), scene.distance.name()};
     for (GLuint unit = 0; unit < textures.size(); ++unit) glBindTextureUnit(unit, textures[unit]);
+    scene.colors.bind();
     if (shading == Shading::octants) bindOctants(settings);
     if (shading == Shading::lights) bindLights(settings);
     for (GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND}) glDisable(capability);
@@ -273,10 +277,15 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::upload(const SceneFields& fields) {
+  const bool colored = static_cast<bool>(impl_->scene.colors);
   impl_->scene = SceneTextures();  // room for the new one
   if (impl_->screen) impl_->screen->forgetScene();
   impl_->scene = uploadScene(fields);
   impl_->programs[static_cast<std::size_t>(Shading::lights)] = {};  // it knows how many they are
+  if (colored != static_cast<bool>(impl_->scene.colors)) {
+    impl_->programs = {};
+    impl_->screen = {};
+  }
 }
 
 void Renderer::prepare(const RenderSettings& settings) {

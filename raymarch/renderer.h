@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "camera.h"
+#include "color_field.h"
 #include "context.h"
 #include "light_field.h"
 #include "screen/screen_occlusion.h"
@@ -28,6 +29,7 @@ struct SceneFields {
   GridView<const float> distance;  ///< world units, < 0 inside; may be empty: only NormalSource::distance reads it
   std::array<GridView<const glm::u8vec4>, 2> octants;  ///< may be empty: only Shading::octants reads them
   std::vector<LightField> lights;                      ///< up to kMostLightFields; only Shading::lights reads them
+  std::optional<ColorField> color = {};                ///< in place of the albedo of the settings
 };
 
 enum class NormalSource { data, distance };

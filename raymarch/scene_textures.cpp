@@ -72,6 +72,7 @@ SceneTextures uploadScene(const SceneFields& fields) {
     field.values = {};
     scene.lightFields.push_back(field);
   }
+  if (fields.color) scene.colors = SurfaceColors(*fields.color, fields.worldFromGrid);
   glFinish();
   checkGl("upload");
   return scene;

@@ -3,6 +3,7 @@
 
 #include "gl_objects.h"
 #include "renderer.h"
+#include "surface_colors.h"
 #include "view.h"
 
 namespace isolume {
@@ -14,6 +15,7 @@ struct SceneTextures {
   std::array<GlTexture, 2> octants;     ///< RGBA8, samples; absent where the scene has none
   std::vector<GlTexture> lights;        ///< R16, samples, as slices
   std::vector<LightField> lightFields;  ///< of the same; borrow nothing any more
+  SurfaceColors colors;
   glm::ivec3 size{0};
   GridFrame frame;
 

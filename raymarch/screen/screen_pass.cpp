@@ -87,13 +87,14 @@ const GlProgram& ScreenPass::program(const std::string& name) {
   GlProgram& built = programs_[name];
   if (!built) {
     const ProgramVariant& variant = programVariant(name);
-    built = buildProgram(variant.vertex, variant.fragment);
+    built = buildProgram(variant.vertex, variant.fragment,
+                         [this](std::string_view file) { return coloredShader(file, colored_); });
   }
   return built;
 }
 
-void ScreenPass::reserve(glm::ivec2 size, bool layers) {
-  if (images_.size == size && (images_.layers || !layers)) return;
+void ScreenPass::reserve(glm::ivec2 size, bool positions) {
+  if (images_.size == size && (images_.position || !positions)) return;
   images_ = Images();
   const auto image = [size](const TexelFormat& format) {
     return makeTexture2D("screen-space", size, format, GL_NEAREST, nullptr);
@@ -103,15 +104,14 @@ void ScreenPass::reserve(glm::ivec2 size, bool layers) {
   images_.light = image(kRGBA32F);
   images_.filtered = image(kRGBA32F);
   images_.color = image(kRGBA32F);
-  if (layers) images_.position = image(kRGBA32F);
+  if (positions) images_.position = image(kRGBA32F);
   std::vector<const GlTexture*> gbuffer{&images_.depth, &images_.normal};
-  if (layers) gbuffer.push_back(&images_.position);
+  if (positions) gbuffer.push_back(&images_.position);
   images_.gbuffer = framebufferOf(gbuffer);
   images_.estimate = framebufferOf({&images_.light});
   images_.filter = framebufferOf({&images_.filtered});
   images_.composite = framebufferOf({&images_.color});
   images_.size = size;
-  images_.layers = layers;
   checkGl("screen-space images");
 }
 
@@ -165,7 +165,7 @@ void ScreenPass::drawGBuffer(glm::vec2 sampleOffset, BeamPass& beams, const Scen
   glProgramUniform2f(march.name(), kPixelOrigin, origin.x + sampleOffset.x, origin.y + sampleOffset.y);
   bindTarget(images_.gbuffer, images_.size);
   glClearNamedFramebufferfv(images_.gbuffer.name(), GL_COLOR, 0, &kNoDepth[0]);
-  for (GLint i = 1; i < (images_.layers ? 3 : 2); ++i)
+  for (GLint i = 1; i < (images_.position ? 3 : 2); ++i)
     glClearNamedFramebufferfv(images_.gbuffer.name(), GL_COLOR, i, &kNothing[0]);
   glEnable(GL_SCISSOR_TEST);
   for (const TileRect& rect : rects) drawBands({rect.low, glm::min(rect.high, images_.size)});
@@ -202,8 +202,10 @@ void ScreenPass::draw(const Camera& camera, const RenderSettings& settings, cons
   checkScreen(occlusion);
   const ScreenPlan plan = planScreen(occlusion);
   const bool filtered = occlusion.filter && occlusion.interleaving > 1;
-  reserve(settings.size, settings.layers);
+  reserve(settings.size, settings.layers || scene.colors);
+  colored_ = static_cast<bool>(scene.colors);
   if (readsCharacteristic(occlusion.estimator) && occlusion.surface == Characteristic::heightField) makeHeights(scene);
+  if (colored_) glBindTextureUnit(kColorPositionUnit, images_.position.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, kScreenBinding, screenBuffer_.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, kSampleBinding, sampleBuffer_.name());
   for (int i = 0; i < settings.samples; ++i) {

@@ -1,6 +1,6 @@
 // Pictures whose light comes from the screen: G-buffer, estimator, filter, composite.
 //
-// The passes go over the whole picture, since estimators look at neighbours: per pixel 84 B with layers (depth 4,
+// The passes go over the whole picture, since estimators look at neighbours: per pixel 84 B with layers, or colours by a field (depth 4,
 // normal 16, light 2 x 16, colour 16, position 16) and 32 B more for light from the neighbourhood, all on the GPU, and
 // no picture is larger than a texture may be. Draws are cut into bands so that none blocks for long.
 //
@@ -46,11 +46,10 @@ class ScreenPass {
     GlTexture radiance, filteredRadiance;  ///< with light from the neighbourhood alone
     GlFramebuffer gbuffer, estimate, filter, composite, indirect, filterIndirect;
     glm::ivec2 size{0};
-    bool layers = false;
   };
 
   const GlProgram& program(const std::string& name);
-  void reserve(glm::ivec2 size, bool layers);
+  void reserve(glm::ivec2 size, bool positions);
   void makeHeights(const SceneTextures& scene);
   void drawGBuffer(glm::vec2 sampleOffset, BeamPass& beams, const SceneTextures& scene);
   void drawPass(const std::string& name, const GlFramebuffer& target, glm::ivec2 size);
@@ -63,6 +62,7 @@ class ScreenPass {
   GLuint drawLight(const ScreenPlan& plan, bool filtered, const SceneTextures& scene);
 
   std::map<std::string, GlProgram> programs_;
+  bool colored_ = false;  ///< whether they read the colours of the scene; of one pass always the same
   GlBuffer screenBuffer_ = GlBuffer::create(), sampleBuffer_ = GlBuffer::create();
   GlTexture heights_;  ///< R32F, one texel per column: 4 B each
   Images images_;

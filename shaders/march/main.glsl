@@ -1,6 +1,8 @@
 // One pixel: the first crossing of the isosurface along its ray, and its shade by the entry's hitLight(). All in index
 // space, where sample (i, j, k) lies at (i, j, k), the solid is { level > 0 } in the box [0, size - 1], and nothing lies
 // outside the box.
+#include "march/albedo.glsl"
+
 layout(location = 0) out vec4 outColor;     // linear, premultiplied
 layout(location = 1) out vec4 outNormal;    // grid axes, unit, out of the solid
 layout(location = 2) out vec4 outPosition;  // index space; w: 1 where something is hit
@@ -20,7 +22,7 @@ void main() {
   vec3 viewer = -ray.direction * frame.scale.xyz;
   vec3 normal = hitNormal(hit, viewer);
   vec3 light = hitLight(hit.position, normal, viewer);
-  outColor = vec4(frame.albedo.rgb * pow(light, vec3(frame.albedo.w)), 1.0f);
+  outColor = vec4(albedoAt(hit.position) * pow(light, vec3(frame.albedo.w)), 1.0f);
   outNormal = vec4(normal, 0.0f);
   outPosition = vec4(hit.position, 1.0f);
   outLight = vec4(light, 1.0f);

@@ -3,6 +3,7 @@
 // over samples of the disk across the view. A sample counts if what it sees lies within the radius, faces the shaded
 // point, and is faced by it; its radiance is albedo times its openness. No such sample: 0.
 #include "screen/harness.glsl"
+#include "screen/albedo.glsl"
 
 layout(binding = 2) uniform sampler2D lightTexture;
 layout(location = 0) out vec4 outRadiance;
@@ -23,7 +24,7 @@ vec3 radianceAround(Shaded shaded) {
     vec3 offset = point - place.position;
     bool facing = dot(normal, offset) > kSurfaceTolerance && dot(other, offset) < -kSurfaceTolerance;
     if (dot(offset, offset) < 1.0f && facing) {
-      sum += frame.albedo.rgb * texelFetch(lightTexture, pixel, 0).a;
+      sum += albedoOf(pixel) * texelFetch(lightTexture, pixel, 0).a;
       count += 1.0f;
     }
   }

@@ -78,6 +78,45 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
   addBackgroundOption(app, job.background, job.transparent);
 }
 
+void addColorOptions(CLI::App& app, RenderJob& job) {
+  OptionGroup group(app, "Colour");
+  ColorRequest& color = job.color;
+  bool& given = job.colorGiven;
+  group.value(
+      "--color-by", "FILE|x|y|z", [&color](const std::string&, const std::string& text) { color.by = text; },
+      "a volume of the same world, of any grid, whose values\ncolour the surface in place of --albedo; or a "
+      "coordinate");
+  group.value(
+      "--color-grid", "NAME",
+      [&color, &given](const std::string&, const std::string& text) {
+        color.grid = text;
+        given = true;
+      },
+      "grid of a VDB file to colour by (default: its only one)");
+  group.value(
+      "--color-range", "LOW,HIGH",
+      [&color, &given](const std::string& option, const std::string& text) {
+        const std::vector<std::string> ends = splitList(text);
+        if (ends.size() != 2)
+          throw UsageError(fmt::format("{}: expected two numbers, LOW,HIGH, found '{}'", option, text));
+        color.range = glm::dvec2(parseNumber(option, ends[0]), parseNumber(option, ends[1]));
+        if (!(color.range->x < color.range->y))
+          throw UsageError(fmt::format("{}: expected LOW below HIGH, found {}", option, text));
+        given = true;
+      },
+      "what the ends of the map stand for; beyond them nothing\nchanges (default: the field's smallest and largest)");
+  Choices<ColorMap> maps;
+  for (const ColorMap map : {ColorMap::sequential, ColorMap::diverging, ColorMap::grey})
+    maps.emplace_back(colorMapName(map), map);
+  group.value(
+      "--color-map", "NAME",
+      [&color, &given, maps](const std::string& option, const std::string& text) {
+        color.map = parseChoice(option, text, maps);
+        given = true;
+      },
+      "sequential, diverging (blue, white, orange) or grey;\nunknown values are grey (default: sequential)");
+}
+
 Layers parseLayers(const std::string& option, const std::string& text) {
   Layers layers;
   const Choices<bool Layers::*> choices{{"ambient", &Layers::ambient},     {"irradiance", &Layers::irradiance},
@@ -123,6 +162,7 @@ void addRenderOptions(CLI::App& app, RenderJob& job) {
           "a ready-made look: singh10, clay, studio, cloudy or\ntranslucent; other options replace their part of it");
   addCameraOptions(app, job.camera);
   addShadingOptions(app, job);
+  addColorOptions(app, job);
   addLightOptions(app, job.light);
   addScreenOptions(app, job.screen);
   Choices<std::string> backends{{"auto", "auto"}};
@@ -149,6 +189,9 @@ void checkRenderOptions(const RenderJob& job) {
     throw UsageError(fmt::format("--layers: expected an .exr to hold them, found '{}'", job.output));
   if (ending == ".exr" && job.bitDepth)
     throw UsageError(fmt::format("--bit-depth: expected a .png (an .exr holds 32-bit floats), found '{}'", job.output));
+  checkColorRequest(job.color, job.colorGiven);
+  if (!job.color.by.empty() && job.light.bounces.value_or(0) != 0)
+    throw UsageError("--bounces: expected a surface of one albedo, found --color-by");
   const OcclusionMethod method = chooseOcclusion(job.occlusion).method;
   const char* swept = givenOption(job.occlusion);
   checkScreenRequest(job.screen, swept ? swept : givenOption(job.light));

@@ -10,8 +10,11 @@
 namespace isolume {
 namespace {
 
-/// L*, a*, b* at t = -1, -1/2, 0, 1/2, 1.
-const std::array<glm::dvec3, 5> kControlPoints{{{38, 10, -46}, {67, -4, -30}, {96, 0, 0}, {67, 22, 48}, {38, 28, 45}}};
+/// L*, a*, b*, evenly from one end of a map to the other.
+const std::array<glm::dvec3, 5> kDiverging{{{38, 10, -46}, {67, -4, -30}, {96, 0, 0}, {67, 22, 48}, {38, 28, 45}}};
+
+const std::array<glm::dvec3, 5> kSequential{
+    {{20, 30, -36}, {37.75, 0, -32}, {55.5, -28, -6}, {73.25, -36, 38}, {91, -10, 72}}};
 
 /// The inverse of CIELAB's f: cubic, and a straight line below 6/29.
 double inverseF(double f) {
@@ -28,16 +31,25 @@ glm::dvec3 linearSrgbFromLab(glm::dvec3 lab) {
   return kSrgbFromXyz * xyz;
 }
 
+/// `along` in [0, 1].
+glm::vec3 between(const std::array<glm::dvec3, 5>& points, double along) {
+  constexpr double kSegments = std::tuple_size_v<std::array<glm::dvec3, 5>> - 1;
+  const double place = along * kSegments;
+  const auto segment = static_cast<std::size_t>(std::min(std::floor(place), kSegments - 1));
+  const glm::dvec3 lab = glm::mix(points[segment], points[segment + 1], place - static_cast<double>(segment));
+  return glm::vec3(glm::clamp(linearSrgbFromLab(lab), 0.0, 1.0));
+}
+
 }  // namespace
 
 glm::vec3 divergingColor(double t) {
   assert(!std::isnan(t));
-  constexpr double kSegments = kControlPoints.size() - 1;
-  const double along = (std::clamp(t, -1.0, 1.0) + 1) / 2 * kSegments;
-  const auto segment = static_cast<std::size_t>(std::min(std::floor(along), kSegments - 1));
-  const glm::dvec3 lab =
-      glm::mix(kControlPoints[segment], kControlPoints[segment + 1], along - static_cast<double>(segment));
-  return glm::vec3(glm::clamp(linearSrgbFromLab(lab), 0.0, 1.0));
+  return between(kDiverging, (std::clamp(t, -1.0, 1.0) + 1) / 2);
+}
+
+glm::vec3 sequentialColor(double t) {
+  assert(!std::isnan(t));
+  return between(kSequential, std::clamp(t, 0.0, 1.0));
 }
 
 }  // namespace isolume

@@ -28,7 +28,8 @@ std::string layerList(const Layers& layers) {
 }
 
 nlohmann::ordered_json pictureSettings(const RenderJob& job, const OcclusionSetting& occlusion,
-                                       const std::optional<ScreenOcclusion>& screen) {
+                                       const std::optional<ScreenOcclusion>& screen,
+                                       const std::optional<SurfaceColoring>& coloring) {
   nlohmann::ordered_json settings;
   settings["size"] = fmt::format("{}x{}", job.size.x, job.size.y);
   settings["samples"] = job.samples;
@@ -36,7 +37,10 @@ nlohmann::ordered_json pictureSettings(const RenderJob& job, const OcclusionSett
   settings.update(lightingSettings(job.light));
   settings["normals"] = job.normals == NormalSource::data ? "data" : "distance";
   settings["gamma"] = job.gamma;
-  settings["albedo"] = job.albedo.text;
+  if (coloring)
+    settings.update(colorSettings(job.color, *coloring));
+  else
+    settings["albedo"] = job.albedo.text;
   settings["background"] = job.background.text;
   if (job.layers.any()) settings["layers"] = layerList(job.layers);
   if (job.bitDepth) settings["bit-depth"] = *job.bitDepth;
@@ -94,10 +98,11 @@ Provenance surfaceProvenance(const std::string& command, const std::string& inpu
 }
 
 Provenance renderProvenance(const RenderJob& job, const OcclusionSetting& occlusion,
-                            const std::optional<ScreenOcclusion>& screen, const Surface& surface, const Camera& camera,
-                            const Context& context, const std::string& checksums) {
+                            const std::optional<ScreenOcclusion>& screen,
+                            const std::optional<SurfaceColoring>& coloring, const Surface& surface,
+                            const Camera& camera, const Context& context, const std::string& checksums) {
   Provenance provenance = surfaceProvenance(job.run.command, job.surface.input, surface, checksums);
-  nlohmann::ordered_json picture = pictureSettings(job, occlusion, screen);
+  nlohmann::ordered_json picture = pictureSettings(job, occlusion, screen, coloring);
   picture.update(surface.method);
   const std::string backend(context.backend());
   const std::string cameraText = cameraOptions(camera);

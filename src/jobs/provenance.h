@@ -17,6 +17,7 @@ namespace isolume {
 struct OcclusionSetting;
 struct ScreenOcclusion;
 struct RenderJob;
+struct SurfaceColoring;
 
 struct Provenance {
   /// Image metadata. isolume:camera and isolume:settings are options of `isolume render`: with the input, the isovalue
@@ -35,9 +36,10 @@ std::string optionText(const nlohmann::ordered_json& settings);
 Provenance surfaceProvenance(const std::string& command, const std::string& input, const Surface& surface,
                              const std::string& checksums);
 
-/// `screen`, where there is one, stands in place of `occlusion`.
+/// `screen`, where there is one, stands in place of `occlusion`, and `coloring` in place of the albedo.
 Provenance renderProvenance(const RenderJob& job, const OcclusionSetting& occlusion,
-                            const std::optional<ScreenOcclusion>& screen, const Surface& surface, const Camera& camera,
-                            const Context& context, const std::string& checksums);
+                            const std::optional<ScreenOcclusion>& screen,
+                            const std::optional<SurfaceColoring>& coloring, const Surface& surface,
+                            const Camera& camera, const Context& context, const std::string& checksums);
 
 }  // namespace isolume

@@ -73,7 +73,8 @@ RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occl
   return settings;
 }
 
-SceneFields sceneFields(const SweptScene& scene, const SweptLighting& lighting, NormalSource normals) {
+SceneFields sceneFields(const SweptScene& scene, const SweptLighting& lighting,
+                        const std::optional<SurfaceColoring>& coloring, NormalSource normals) {
   SceneFields fields;
   fields.worldFromGrid = scene.surface.worldFromGrid;
   fields.level = scene.surface.level.view();
@@ -84,6 +85,7 @@ SceneFields sceneFields(const SweptScene& scene, const SweptLighting& lighting, 
     fields.lights.push_back(lighting.uses[i]);
     fields.lights.back().values = lighting.fields[i].values.view();
   }
+  if (coloring) fields.color = coloring->field();
   return fields;
 }
 
@@ -112,7 +114,8 @@ SweptLighting combinedLight(const LightingRequest& request, OctantVisibility& vi
 std::size_t textureBytes(const SceneFields& fields) {
   constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8, kLightBytes = 2;
   return fields.level.count() * (kLevelBytes + kClearanceBytes + (fields.distance.data ? kDistanceBytes : 0) +
-                                 (fields.octants[0].data ? kOctantsBytes : 0) + fields.lights.size() * kLightBytes);
+                                 (fields.octants[0].data ? kOctantsBytes : 0) + fields.lights.size() * kLightBytes) +
+         (fields.color ? fields.color->places.count() * sizeof(float) : 0);
 }
 
 /// Stages `environment`, if there is a map, and `visibility`.
@@ -166,16 +169,19 @@ void runRenderJob(const RenderJob& request) {
   const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
   SweptLighting lighting = lightScene(job, occlusion, scene, camera, log);
   if (occlusion.method == OcclusionMethod::combined) lighting = combinedLight(job.light, scene.swept.visibility);
+  std::optional<SurfaceColoring> coloring;
+  if (!job.color.by.empty()) coloring = readColoring(job.color, solidCorners(scene.surface), log);
   const RenderSettings settings = renderSettings(job, occlusion, lighting, scene, camera);
   // Beside drawing: it reads the files once more and uses one core.
   std::vector<std::string> files = scene.surface.files;
   if (!job.light.environment.empty()) files.push_back(job.light.environment);
+  if (coloring) files.insert(files.end(), coloring->files.begin(), coloring->files.end());
   std::future<std::string> checksums = std::async(std::launch::async, checksumText, files);
 
   log.begin("upload", "preparing OpenGL");
   const std::unique_ptr<Context> context = makeContext(job.backend);
   Renderer renderer(*context);
-  const SceneFields fields = sceneFields(scene, lighting, job.normals);
+  const SceneFields fields = sceneFields(scene, lighting, coloring, job.normals);
   renderer.upload(fields);
   renderer.prepare(settings);
   log.end(textureBytes(fields));
@@ -186,7 +192,7 @@ void runRenderJob(const RenderJob& request) {
 
   log.begin("write", "writing " + job.output);
   const Provenance provenance =
-      renderProvenance(job, occlusion, settings.screen, scene.surface, camera, *context, checksums.get());
+      renderProvenance(job, occlusion, settings.screen, coloring, scene.surface, camera, *context, checksums.get());
   Image image = imageOf(frame, job, lighting);
   image.metadata = provenance.metadata;
   writeImage(job.output, image, {.bitDepth = job.bitDepth.value_or(kDefaultBitDepth)});

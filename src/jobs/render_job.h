@@ -9,6 +9,7 @@
 #include "src/io/srgb.h"
 #include "src/jobs/camera_choice.h"
 #include "src/jobs/color.h"
+#include "src/jobs/color_by.h"
 #include "src/jobs/light_request.h"
 #include "src/jobs/occlusion_method.h"
 #include "src/jobs/run_options.h"
@@ -39,6 +40,8 @@ struct RenderJob {
   double gamma = 1;
   /// Light grey, so that an open surface stands out from the white page of a figure.
   Color albedo{"#cccccc", glm::vec3(linearFromSrgb(0.8F))};
+  ColorRequest color;       ///< with a field: in place of the albedo
+  bool colorGiven = false;  ///< whether any part of it beside the field was given
   Color background{"white", glm::vec3(1)};
   bool transparent = false;
   Layers layers;

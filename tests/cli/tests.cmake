@@ -1,6 +1,7 @@
 # The program from outside: every case starts the real binary and looks at its exit code, its two streams and its files.
 isolume_test(test_cli
   cli/bad_input_test.cpp
+  cli/color_test.cpp
   cli/command_line_test.cpp
   cli/compare_test.cpp
   cli/environment_test.cpp

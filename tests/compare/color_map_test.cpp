@@ -1,4 +1,4 @@
-// The colours of the heat map, as eyes see them.
+// The colour maps, as eyes see them.
 #include "src/compare/color_map.h"
 
 #include <gtest/gtest.h>
@@ -75,6 +75,32 @@ TEST(ColorMap, LiesWithinSrgb) {
       EXPECT_GT(divergingColor(i / 100.0)[c], 0) << i;
       EXPECT_LT(divergingColor(i / 100.0)[c], 1) << i;
     }
+}
+
+TEST(ColorMap, SequentialLightnessRisesEvenly) {
+  // Lightness is 20 + 71 t within the rounding of the two matrices, so that values can be read without colour; no
+  // channel is cut off; beyond the ends nothing changes.
+  for (int i = 0; i <= 200; ++i) {
+    const glm::vec3 color = sequentialColor(i / 200.0);
+    EXPECT_NEAR(labOf(glm::dvec3(color)).x, 20 + 71 * i / 200.0, 1e-3) << i;
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_GT(color[c], 0) << i;
+      EXPECT_LT(color[c], 1) << i;
+    }
+  }
+  EXPECT_EQ(sequentialColor(-1), sequentialColor(0));
+  EXPECT_EQ(sequentialColor(2), sequentialColor(1));
+}
+
+TEST(ColorMap, SequentialStepsAreSeenByAllEyes) {
+  // A tenth of the map is at least 7 in CIELAB, the part of lightness, with and without [Machado09]'s colour blindness
+  // (which keeps lightness roughly: at least 5).
+  for (int i = 0; i < 10; ++i) {
+    const glm::dvec3 a(sequentialColor(i / 10.0)), b(sequentialColor((i + 1) / 10.0));
+    EXPECT_GE(deltaE(a, b), 7) << i;
+    for (const glm::dmat3& eye : kBlindness)
+      EXPECT_GE(deltaE(glm::max(glm::dvec3(0), eye * a), glm::max(glm::dvec3(0), eye * b)), 5) << i;
+  }
 }
 
 }  // namespace

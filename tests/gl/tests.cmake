@@ -14,6 +14,7 @@ isolume_test(test_gl
   ${gl}/octant_light_test.cpp
   ${gl}/shading_test.cpp
   ${gl}/shadow_test.cpp
+  ${gl}/surface_color_test.cpp
   ${gl}/../support/cpu_tracer.cpp
   LIBS isolume_raymarch isolume_sweep isolume_reference isolume_readers isolume_volumes isolume_shaders isolume_glad
   fmt::fmt)
