@@ -1,6 +1,7 @@
 // One bit per sample of a grid, in rows of 64-bit words, and sets of neighbours by operations on whole words.
 //
-// Bit x % 64 of word x / 64 of row (y, z); bits beyond the end of a row are 0. One bit per voxel.
+// Bit x % 64 of word x / 64 of row (y, z); bits beyond the end of a row are 0. One bit per voxel. A word of zeros follows
+// the last row, so that four bytes from any byte on may be read.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@ class BitGrid {
   explicit BitGrid(glm::ivec3 size)
       : size_(size),
         words_((size.x + kWordBits - 1) / kWordBits),
-        bits_(voxelCount({words_, size.y, size.z}), std::uint64_t{0}) {}
+        bits_(voxelCount({words_, size.y, size.z}) + 1, std::uint64_t{0}) {}
 
   glm::ivec3 size() const { return size_; }
   int words() const { return words_; }

@@ -1,18 +1,21 @@
-// The points of the surface at which ordinates are summed: one for each sample just outside it, and one for each solid
-// sample on the border.
+// The points of the surface at which ordinates are summed: one for each outside sample with a solid one beside it along
+// an axis, and one for each solid sample on the border.
 //
 // A sample is next to the surface if any of the 26 around it lies on the other side: these are the corners of all cells
 // that the surface crosses, all that an interpolation at a point of the surface reads. Each stands for the point of the
 // surface closest to it, its foot: sample - D N with the distance D and the level's gradient as normal N. A solid
-// sample on the border of the grid is its own foot, on the flat cap there. An inside sample has no sum of its own: it
-// takes what the outside ones around its foot hold, by trilinear weights, which halves the work and costs .003 of RMSE
-// where walls meet and nothing elsewhere (weights by the agreement of normals gain nothing).
+// sample on the border of the grid is its own foot, on the flat cap there. The other samples next to the surface have
+// no sum of their own: they take what those with a sum around their foot hold, by trilinear weights. Each of them has
+// one among the 26 around, since from a solid corner of its cell to an outside one the sign changes along some edge.
+// That is a third to a quarter of the sums of one per sample, and costs .003 of RMSE where walls meet and nothing
+// elsewhere (docs/occlusion-study.md).
 #pragma once
 
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "foot_rows.h"
 #include "sweep/bit_grid.h"
 
 namespace isolume {
@@ -39,42 +42,47 @@ class SurfaceFeet {
   /// The samples with level > 0.
   const BitGrid& solid() const { return solid_; }
 
-  /// Samples next to the surface, those inside or those outside, each with a foot close to it: an outside sample's own,
-  /// for an inside one that of a neighbour outside closest to its own place on the surface. 16 bytes each. Threaded.
+  /// Samples next to the surface, those inside or those outside, each with a foot close to it: its own if it is outside
+  /// and has one, else that of a neighbour outside closest to its own place on the surface. 16 bytes each. Threaded.
   std::vector<NearSample> nearSamples(bool inside) const;
 
   /// Gives feet without a value (known[foot] = 0) the mean of those around them, samples apart by one along each axis,
   /// that have one; the others keep theirs.
   void fillUnknown(std::vector<std::uint16_t>& values, const std::vector<std::uint8_t>& known) const;
 
-  /// values[sample] = openness[foot] at outside samples and on caps; interpolated at inside samples next to the
-  /// surface; 0 elsewhere. Threaded.
+  /// values[sample] = openness[foot] at samples that have one; interpolated at the others next to the surface; 0
+  /// elsewhere. Threaded.
   void spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values,
               const std::vector<std::uint8_t>* known = nullptr) const;
-  /// The same in a grid of its own: 2 bytes per voxel. With `known`, inside samples take nothing from feet with
-  /// known[foot] = 0 (on the far side of a thin wall, say): from what of the 26 around is known, or 0.
+  /// The same in a grid of its own: 2 bytes per voxel. With `known`, samples without a foot take nothing from those
+  /// with known[foot] = 0 (on the far side of a thin wall, say): from what of the 26 around is known, or 0.
   Grid<std::uint16_t> spread(const std::vector<std::uint16_t>& openness,
                              const std::vector<std::uint8_t>* known = nullptr) const;
 
  private:
-  glm::dvec3 normalAt(glm::ivec3 at) const;
-  glm::dvec3 footPosition(glm::ivec3 at, glm::dvec3 normal) const;
-  SurfaceFoot footOf(glm::ivec3 at) const;
+  bool isSolid(glm::ivec3 at) const { return solid_.test(at.x, at.y, at.z); }
+  SurfaceFoot capFoot(glm::ivec3 at) const;
   std::uint32_t footNumber(glm::ivec3 at) const;
-  std::uint32_t nearestFoot(glm::ivec3 at) const;
-  std::uint16_t insideValue(glm::ivec3 at, GridView<const std::uint16_t> values,
-                            const std::vector<std::uint8_t>* known) const;
+  std::uint32_t nearestFoot(glm::ivec3 at, glm::vec3 place) const;
+  BitGrid given(const std::vector<std::uint8_t>& known) const;
+  std::uint16_t meanAround(glm::ivec3 at, const BitGrid& given, GridView<const std::uint16_t> values) const;
+  void fillLayer(int z, const BitGrid& given, GridView<const std::uint16_t> values,
+                 std::vector<std::uint16_t>& filled) const;
   void markRow(int y, int z);
+  template <class Visit>
+  void forEachLayer(const Visit& visit) const;
+  template <class Visit>
+  static void forEachAround(glm::ivec3 at, const BitGrid& set, const Visit& visit);
   template <class Visit>
   void forEachFoot(int y, int z, const Visit& visit) const;
   std::size_t rowIndex(int y, int z) const {
-    return static_cast<std::size_t>(z) * static_cast<std::size_t>(level_.size.y) + static_cast<std::size_t>(y);
+    return static_cast<std::size_t>(z) * static_cast<std::size_t>(solid_.size().y) + static_cast<std::size_t>(y);
   }
 
-  GridView<const float> level_, distance_;
+  FootFields fields_;
   BitGrid solid_;                         // samples inside
-  BitGrid hasFoot_;                       // next to the surface and outside, or on a cap
-  BitGrid inside_;                        // next to the surface and inside, and not on a cap
+  BitGrid hasFoot_;                       // outside, with a solid sample beside it along an axis; or on a cap
+  BitGrid filled_;                        // next to the surface, without a foot
   std::vector<std::uint32_t> firstFoot_;  // of each row
   std::vector<SurfaceFoot> feet_;
 };
