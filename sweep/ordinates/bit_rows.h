@@ -1,7 +1,7 @@
-// One bit per point of a lattice, in aligned rows of whole vectors, which BitGrid's are not.
+// One bit per point of a lattice, in rows that follow each other without a gap.
 //
-// Bit i % 64 of word i / 64 of a row. Each row has at least one bit more than points; those are 0, so that a row that
-// is shifted by one takes in zeros.
+// Bit i % 64 of word i / 64 of a row. Each row ends in at least kRowEnd zeros, so that a row that is shifted by one
+// takes in zeros, and a few steps beyond either end there is nothing.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 namespace isolume {
 
 struct BitRows {
-  static constexpr int kRowWords = 8;  ///< a row is a multiple of 512 bits, and aligned
+  static constexpr int kRowEnd = 7;
 
   LargeArray<std::uint64_t> data;
   int length = 0, rows = 0, layers = 0;  ///< points of a row, rows of a layer, layers
@@ -21,7 +21,7 @@ struct BitRows {
   BitRows() = default;
   /// Uninitialised.
   BitRows(int length_, int rows_, int layers_)
-      : length(length_), rows(rows_), layers(layers_), words((length_ / (kRowWords * kWordBits) + 1) * kRowWords) {
+      : length(length_), rows(rows_), layers(layers_), words((length_ + kRowEnd - 1) / kWordBits + 1) {
     data = makeLargeArray<std::uint64_t>(voxelCount({words, rows, layers}));
   }
   std::uint64_t* row(int r, int layer) const {

@@ -149,7 +149,7 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
   const IntTag di;
   const auto stateMask = hn::Set(di, (1 << (8 * sizeof(State))) - 1);
   const auto size = static_cast<std::int32_t>(sizeof(State));
-  std::array<std::int32_t, kMostSkipped + 1> kept{};  // bytes
+  PerSkip<std::int32_t> kept{};  // bytes
   for (int j = 0; j <= kMostSkipped; ++j)
     kept[static_cast<std::size_t>(j)] =
         size * static_cast<std::int32_t>(slotOf(layer + towards * j) * rays.layerSize() + rays.placeOf(0));
@@ -164,9 +164,14 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
     const auto facing = hn::And(hn::Gt(cosine, hn::Zero(d)), point.inRange);
     const auto wanted = kLength ? point.inRange : facing;
     if (hn::AllFalse(d, wanted)) continue;
-    const RayPlace at = placeOnRay(lattice, point, direction, step, cosine, facing);
-    const auto place = hn::Add(hn::Mul(hn::ConvertTo(di, at.row), stride), hn::ConvertTo(di, at.column));
-    const auto bytes = hn::Add(hn::Mul(place, hn::Set(di, size)), skipped(di, kept, at.skips));
+    const RayPlace at = placeOnRay<kLength>(point, direction, step, cosine, facing);
+    const auto within = [d](FloatVec place, int count) {
+      return hn::Min(hn::Max(place, hn::Set(d, -1.0F)), hn::Set(d, static_cast<float>(count)));
+    };
+    const auto row = within(hn::Add(at.row, chosen(step.onRow, at.skips)), lattice.rows);
+    const auto column = within(hn::Add(at.column, chosen(step.onBit, at.skips)), lattice.length);
+    const auto place = hn::Add(hn::Mul(hn::ConvertTo(di, row), stride), hn::ConvertTo(di, column));
+    const auto bytes = hn::Add(hn::Mul(place, hn::Set(di, size)), chosen(kept, at.skips));
     const auto state = hn::And(hn::GatherOffset(di, rays.words32(), bytes), stateMask);
     std::int32_t* to = tally.sums + i;
     if constexpr (kLength) {

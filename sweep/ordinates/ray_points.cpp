@@ -9,7 +9,8 @@
 namespace isolume {
 namespace {
 
-constexpr std::size_t kSigns = 8, kChunk = 1 << 15;
+// Facing all rays of one sense, mixed by signs, facing all of the other.
+constexpr std::size_t kKinds = 10, kChunk = 1 << 15;
 
 struct LiftedPosition {
   glm::dvec3 perNormal{0};  // lattice points per component of the normal
@@ -31,6 +32,15 @@ struct LiftedPosition {
   }
 };
 
+// `cell` and the normal in the order of the axes. From layer to layer a ray moves by one point at most along either of
+// the other axes: where the normal's part along the layers outweighs the other two, all rays of a sense are on one
+// side.
+std::size_t kindOf(glm::vec3 normal, glm::vec3 cell) {
+  const glm::vec3 across = normal * cell;
+  if (std::abs(across.z) > std::abs(across.x) + std::abs(across.y)) return across.z > 0 ? 0 : kKinds - 1;
+  return std::size_t{1} + (normal.z < 0 ? 4 : 0) + (normal.y < 0 ? 2 : 0) + (normal.x < 0 ? 1 : 0);
+}
+
 }  // namespace
 
 RayPoints::RayPoints(std::size_t count)
@@ -42,15 +52,28 @@ RayPoints::RayPoints(std::size_t count)
   for (int i = 0; i < 6; ++i) std::fill_n(values(i) + count, kRayPadding, 0.0F);
 }
 
-void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis) {
+std::vector<glm::vec3> liftedFeet(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice,
+                                  glm::dvec3 spacing) {
   const LiftedPosition positionOf(lattice, spacing);
+  std::vector<glm::vec3> lifted(feet.size());
+  parallelFor((feet.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+    for (std::size_t i = chunk * kChunk; i < std::min((chunk + 1) * kChunk, feet.size()); ++i)
+      lifted[i] = positionOf(feet[i]);
+  });
+  return lifted;
+}
+
+void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const std::vector<glm::vec3>& lifted,
+                     const SolidLattice& lattice, glm::dvec3 spacing, int axis) {
   const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
   const int layers = lattice.size[axis];
-  const auto keyOf = [&](glm::vec3 position, glm::vec3 n) {
-    const int layer = std::clamp(static_cast<int>(std::floor(position[axis])), -1, layers - 1) + 1;
-    return static_cast<std::size_t>(layer) * kSigns + (n.x < 0 ? 1 : 0) + (n.y < 0 ? 2 : 0) + (n.z < 0 ? 4 : 0);
+  const auto ordered = [axes](glm::vec3 v) { return glm::vec3(v[axes.bit], v[axes.row], v[axes.layer]); };
+  const glm::vec3 cell = ordered(glm::vec3(spacing));
+  const auto keyOf = [&](std::size_t foot) {
+    const int layer = std::clamp(static_cast<int>(std::floor(lifted[foot][axis])), -1, layers - 1) + 1;
+    return static_cast<std::size_t>(layer) * kKinds + kindOf(ordered(feet[foot].normal), cell);
   };
-  const std::size_t keys = static_cast<std::size_t>(layers + 1) * kSigns;
+  const std::size_t keys = static_cast<std::size_t>(layers + 1) * kKinds;
   const std::size_t chunks = (feet.size() + kChunk - 1) / kChunk;
   std::vector<std::vector<std::uint32_t>> next(chunks);
   const auto forEach = [&](std::size_t chunk, const auto& visit) {
@@ -59,12 +82,12 @@ void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& l
   };
   parallelFor(chunks, [&](std::size_t chunk) {
     next[chunk].assign(keys, 0);
-    forEach(chunk, [&](std::size_t i) { ++next[chunk][keyOf(positionOf(feet[i]), feet[i].normal)]; });
+    forEach(chunk, [&](std::size_t i) { ++next[chunk][keyOf(i)]; });
   });
   layerBegin_.assign(static_cast<std::size_t>(layers) + 2, feet.size());
   std::uint32_t begin = 0;
   for (std::size_t key = 0; key < keys; ++key) {
-    if (key % kSigns == 0) layerBegin_[key / kSigns] = begin;
+    if (key % kKinds == 0) layerBegin_[key / kKinds] = begin;
     for (std::vector<std::uint32_t>& each : next) {
       const std::uint32_t own = each[key];
       each[key] = begin;
@@ -73,14 +96,12 @@ void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& l
   }
   parallelFor(chunks, [&](std::size_t chunk) {
     forEach(chunk, [&](std::size_t i) {
-      const glm::vec3 position = positionOf(feet[i]), normal = feet[i].normal;
-      const std::size_t to = next[chunk][keyOf(position, normal)]++;
-      values(0)[to] = position[axes.bit];
-      values(1)[to] = position[axes.row];
-      values(2)[to] = position[axes.layer];
-      values(3)[to] = normal[axes.bit];
-      values(4)[to] = normal[axes.row];
-      values(5)[to] = normal[axes.layer];
+      const std::size_t to = next[chunk][keyOf(i)]++;
+      const glm::vec3 position = ordered(lifted[i]), normal = ordered(feet[i].normal);
+      for (int k = 0; k < 3; ++k) {
+        values(k)[to] = position[k];
+        values(3 + k)[to] = normal[k];
+      }
       feet_[to] = static_cast<std::uint32_t>(i);
     });
   });

@@ -27,16 +27,22 @@ inline constexpr float kBeyondLattice = 1.9F;
 /// Lanes of the widest vector: what lies that far beyond the last point is read, and never counts.
 inline constexpr std::size_t kRayPadding = 64;
 
+/// The feet lifted along their normals by kLift, in points of the lattice: 12 bytes each. Threaded.
+std::vector<glm::vec3> liftedFeet(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice,
+                                  glm::dvec3 spacing);
+
 /// 28 bytes per point. The six arrays of numbers are longer than `count` by kRayPadding.
 class RayPoints {
  public:
   /// For up to `count` points.
   explicit RayPoints(std::size_t count);
 
-  /// Points in groups of a layer (that at or below them), and within a layer by the signs of their normals, so that
-  /// those that face away from a direction stand together. A position is the foot lifted along its normal by kLift. A
-  /// counting sort in fixed chunks: the order does not depend on the number of threads. Threaded.
-  void sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis);
+  /// Points in groups of a layer (that at or below them), and within a layer those that face every ray along the axis
+  /// in one sense, or none, and the others by the signs of their normals: so those that face away from a direction
+  /// stand together. Positions are `lifted`, of liftedFeet(). A counting sort in fixed chunks: the order does not
+  /// depend on the number of threads. Threaded.
+  void sort(const std::vector<SurfaceFoot>& feet, const std::vector<glm::vec3>& lifted, const SolidLattice& lattice,
+            glm::dvec3 spacing, int axis);
 
   std::size_t count() const { return count_; }
   const float* bit() const { return values(0); }  ///< position, lattice points

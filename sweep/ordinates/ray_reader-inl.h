@@ -23,18 +23,22 @@ using FloatVec = hn::Vec<FloatTag>;
 using IntVec = hn::Vec<IntTag>;
 using FloatMask = hn::Mask<FloatTag>;
 
-// value[j] where j layers go by: skips[j] tells that more than j do.
-template <class Tag, class T>
-HWY_INLINE hn::Vec<Tag> skipped(Tag d, const std::array<T, kMostSkipped + 1>& value, const hn::Mask<Tag>* skips) {
-  auto chosen = hn::Set(d, value[0]);
-  for (std::size_t j = 0; j < kMostSkipped; ++j) chosen = hn::IfThenElse(skips[j], hn::Set(d, value[j + 1]), chosen);
-  return chosen;
+// value[j] for j in [0, kMostSkipped].
+template <class T>
+HWY_INLINE hn::Vec<hn::ScalableTag<T>> chosen(const PerSkip<T>& value, IntVec j) {
+  const hn::ScalableTag<T> d;
+  if constexpr (hn::MaxLanes(d) > kMostSkipped)
+    return hn::TableLookupLanes(hn::LoadDup128(d, value.data()), hn::IndicesFromVec(d, j));
+  else
+    return hn::GatherIndex(d, value.data(), j);
 }
 
 // Points [i, i + lanes) of those that are read at `layer`, the first towards the light. Lanes beyond the end may hold
 // points of other layers.
 struct PointVector {
-  FloatVec bit, row, ahead, normalBit, normalRow, normalLayer, toClear;
+  FloatVec bit, row, ahead, distance;  // ahead: layers to the one that is read, and how far that is
+  FloatVec normalBit, normalRow, normalLayer, toClear;
+  FloatVec liftBit, liftRow, liftLayer;  // lattice points per world unit along the normal
   FloatMask inRange;
 
   PointVector(const LatticeLayers& lattice, const RayPoints& points, int layer, std::size_t i, std::size_t end) {
@@ -43,6 +47,7 @@ struct PointVector {
     ahead = hn::Min(
         hn::Max(hn::Sub(hn::Set(d, static_cast<float>(layer)), hn::LoadU(d, points.layer() + i)), hn::Neg(farthest)),
         farthest);
+    distance = hn::Abs(ahead);
     bit = hn::LoadU(d, points.bit() + i);
     row = hn::LoadU(d, points.row() + i);
     normalBit = hn::LoadU(d, points.normalBit() + i);
@@ -52,6 +57,9 @@ struct PointVector {
                                        hn::Mul(hn::Abs(normalRow), hn::Set(d, lattice.cellRow))),
                                hn::Mul(hn::Abs(normalLayer), hn::Set(d, lattice.cellLayer)));
     toClear = hn::Mul(width, hn::Set(d, kClearance - kLift));
+    liftBit = hn::Mul(normalBit, hn::Set(d, 1 / lattice.cellBit));
+    liftRow = hn::Mul(normalRow, hn::Set(d, 1 / lattice.cellRow));
+    liftLayer = hn::Mul(normalLayer, hn::Set(d, 1 / lattice.cellLayer));
     inRange = hn::FirstN(d, std::min(hn::Lanes(d), end - i));
   }
 
@@ -62,45 +70,43 @@ struct PointVector {
   }
 };
 
-// Column and row of the lattice, whole numbers, one beyond it at most; and whether more than j layers are skipped.
+// Column and row where a ray crosses the layer that a point reads, whole numbers, of any size; and how many layers on
+// it counts, along the digital line.
 struct RayPlace {
   FloatVec column, row;
   FloatVec ahead;  // layers from where the ray starts to the one that is read
-  hn::Mask<IntTag> skips[kMostSkipped];
+  IntVec skips;
 };
 
-// `rises`: those that face the light. The others look into the solid: from the surface itself, without the lift of the
-// points, and into the next layer.
-HWY_INLINE RayPlace placeOnRay(const LatticeLayers& lattice, const PointVector& point, const RayDirection& to,
-                               const RayStep& step, FloatVec cosine, FloatMask rises) {
+// The ray rises: others have any place. With kBothWays those that are not among `rises` look into the solid: from the
+// surface itself, without the lift of the points, and into the next layer.
+template <bool kBothWays>
+HWY_INLINE RayPlace placeOnRay(const PointVector& point, const RayDirection& to, const RayStep& step, FloatVec cosine,
+                               FloatMask rises) {
   const FloatTag d;
+  const IntTag di;
   const auto rise = hn::Mul(cosine, hn::Set(d, to.risePerCosine));
-  FloatMask skips[kMostSkipped];
-  auto height = hn::Mul(rise, hn::Abs(point.ahead));
-  for (FloatMask& skip : skips) {
-    skip = hn::And(hn::Lt(height, point.toClear), rises);
+  RayPlace place;
+  place.skips = hn::Zero(di);
+  auto height = hn::Mul(rise, point.distance);
+  for (int j = 0; j < kMostSkipped; ++j) {
+    const auto low = hn::VecFromMask(di, hn::RebindMask(di, hn::Lt(height, point.toClear)));
+    place.skips = hn::Sub(place.skips, low);
     height = hn::Add(height, rise);
   }
   // What is still missing after these layers, the ray is lifted by along the normal.
-  const auto missing = hn::IfThenElse(rises, hn::Max(hn::Sub(point.toClear, height), hn::Zero(d)),
-                                      hn::Mul(point.toClear, hn::Set(d, -kLift / (kClearance - kLift))));
-  const auto layersUp = hn::Mul(hn::Mul(missing, point.normalLayer), hn::Set(d, 1 / lattice.cellLayer));
-  const auto ahead = hn::Sub(point.ahead, layersUp);
-  const auto placeOf = [&](FloatVec at, float lag, double slope, const auto& on, FloatVec normal, float cell) {
-    const auto along = hn::Mul(ahead, hn::Set(d, static_cast<float>(slope)));
-    const auto lifted = hn::Add(hn::Sub(at, hn::Set(d, lag)), hn::Mul(hn::Mul(missing, normal), hn::Set(d, 1 / cell)));
-    return hn::Add(hn::Round(hn::Add(lifted, along)), skipped(d, on, skips));
+  auto missing = hn::Max(hn::Sub(point.toClear, height), hn::Zero(d));
+  if constexpr (kBothWays) {
+    place.skips = hn::IfThenElseZero(hn::RebindMask(di, rises), place.skips);
+    missing = hn::IfThenElse(rises, missing, hn::Mul(point.toClear, hn::Set(d, -kLift / (kClearance - kLift))));
+  }
+  place.ahead = hn::Sub(point.ahead, hn::Mul(missing, point.liftLayer));
+  const auto placeOf = [&](FloatVec at, float lag, float slope, FloatVec lift) {
+    const auto lifted = hn::Add(hn::Sub(at, hn::Set(d, lag)), hn::Mul(missing, lift));
+    return hn::Round(hn::Add(lifted, hn::Mul(place.ahead, hn::Set(d, slope))));
   };
-  const auto within = [d](FloatVec at, int count) {
-    return hn::Min(hn::Max(at, hn::Set(d, -1.0F)), hn::Set(d, static_cast<float>(count)));
-  };
-  RayPlace place;
-  place.ahead = ahead;
-  place.column = within(placeOf(point.bit, step.lagBit, to.slopeBit, step.onBit, point.normalBit, lattice.cellBit),
-                        lattice.length);
-  place.row =
-      within(placeOf(point.row, step.lagRow, to.slopeRow, step.onRow, point.normalRow, lattice.cellRow), lattice.rows);
-  for (int j = 0; j < kMostSkipped; ++j) place.skips[j] = hn::RebindMask(IntTag(), skips[j]);
+  place.column = placeOf(point.bit, step.lagBit, step.slopeBit, point.liftBit);
+  place.row = placeOf(point.row, step.lagRow, step.slopeRow, point.liftRow);
   return place;
 }
 

@@ -10,6 +10,9 @@ namespace isolume {
 
 inline constexpr int kMostSkipped = 3;                ///< layers that a reading may go on
 inline constexpr int kKeptLayers = kMostSkipped + 1;  ///< so many are kept
+/// A number for each of the layers that a reading may be of. Aligned for vectors that hold it once or several times.
+template <class T>
+struct alignas(16) PerSkip : std::array<T, kMostSkipped + 1> {};
 /// Where a layer is kept; layers from -kKeptLayers on.
 inline int slotOf(int layer) { return (layer + kKeptLayers) % kKeptLayers; }
 
@@ -20,7 +23,8 @@ inline int roundedOffset(double slope, int layer) { return static_cast<int>(std:
 struct RayStep {
   int shiftBit = 0, shiftRow = 0;
   float lagBit = 0, lagRow = 0;
-  std::array<float, kMostSkipped + 1> onBit{}, onRow{};
+  float slopeBit = 0, slopeRow = 0;
+  PerSkip<float> onBit{}, onRow{};
 };
 inline RayStep stepInto(int layer, int towards, const RayDirection& direction) {
   RayStep step;
@@ -30,6 +34,8 @@ inline RayStep stepInto(int layer, int towards, const RayDirection& direction) {
     step.onBit[i] = static_cast<float>(roundedOffset(direction.slopeBit, layer + towards * j) - bit);
     step.onRow[i] = static_cast<float>(roundedOffset(direction.slopeRow, layer + towards * j) - row);
   }
+  step.slopeBit = static_cast<float>(direction.slopeBit);
+  step.slopeRow = static_cast<float>(direction.slopeRow);
   step.shiftBit = static_cast<int>(step.onBit[1]);
   step.shiftRow = static_cast<int>(step.onRow[1]);
   step.lagBit = static_cast<float>(direction.slopeBit * layer - bit);

@@ -16,16 +16,20 @@
 #define ISOLUME_SWEEP_SHEARED_RAYS_ONCE
 namespace isolume {
 
-// Rows of zeros to each side: one that a shift by a row takes in and a read beyond the lattice is sent to, and one more
-// for the bit before that row's first.
-inline constexpr int kGuardRows = 2;
+// Rows of zeros to each side: what a shift by a row takes in, and what is read beyond the lattice: a point reads at
+// most kReach from it, and the layer that it reads lies at most kMostSkipped further along its ray.
+inline constexpr int kReach = 4, kGuardRows = kReach + kMostSkipped;
+static_assert(kGuardRows <= BitRows::kRowEnd);
+/// Of the widest vector.
+inline constexpr int kVectorWords = 8;
 
-// B of one direction in the last kKeptLayers layers: rows of bits between guard rows of zeros. Rows end in zeros
-// (BitRows): what a row takes in from the next or the one before is 0. Layers not yet swept are zeros.
+// B of one direction in the last kKeptLayers layers: rows of bits one after the other, between guard rows of zeros.
+// Rows end in zeros (BitRows): what a row takes in from the next or the one before is 0. Layers not yet swept are
+// zeros.
 class RayLayers {
  public:
   RayLayers(int rows, int words) : words_(words), rows_(rows + 2 * kGuardRows) {
-    const std::size_t size = static_cast<std::size_t>(layerWords()) * kKeptLayers;
+    const std::size_t size = static_cast<std::size_t>(layerWords()) * kKeptLayers + kVectorWords;
     bits_ = makeLargeArray<std::uint64_t>(size);
     std::fill_n(bits_.get(), size, std::uint64_t{0});
   }
@@ -46,31 +50,22 @@ class RayLayers {
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
 
-using WordTag = hn::CappedTag<std::uint64_t, BitRows::kRowWords>;
+using WordTag = hn::CappedTag<std::uint64_t, kVectorWords>;
 
-// to[x] = solid[x] | from[x + kShift], for one row; `mask` clears the bits beyond it.
+// to[x] = solid[x] | from[x + kShift] for a whole layer; `mask` clears the ends of the rows. Up to a vector beyond the
+// last word `solid` and `mask` are 0, and so is what is written there.
 template <int kShift>
-HWY_INLINE void advanceRow(const std::uint64_t* from, const std::uint64_t* solid, const std::uint64_t* mask, int words,
-                           std::uint64_t* to) {
+HWY_INLINE void advanceLayer(const std::uint64_t* from, const std::uint64_t* solid, const std::uint64_t* mask,
+                             std::ptrdiff_t words, std::uint64_t* to) {
   const WordTag d;
-  for (int w = 0; w < words; w += static_cast<int>(hn::Lanes(d))) {
-    auto met = hn::Load(d, from + w);
+  for (std::ptrdiff_t w = 0; w < words; w += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+    auto met = hn::LoadU(d, from + w);
     if constexpr (kShift > 0)
       met = hn::Or(hn::ShiftRight<1>(met), hn::ShiftLeft<kWordBits - 1>(hn::LoadU(d, from + w + 1)));
     if constexpr (kShift < 0)
       met = hn::Or(hn::ShiftLeft<1>(met), hn::ShiftRight<kWordBits - 1>(hn::LoadU(d, from + w - 1)));
-    hn::Store(hn::And(hn::Or(met, hn::Load(d, solid + w)), hn::Load(d, mask + w)), d, to + w);
+    hn::StoreU(hn::And(hn::Or(met, hn::Load(d, solid + w)), hn::Load(d, mask + w)), d, to + w);
   }
-}
-
-// `solid`: the rows of this layer, one after the other.
-template <int kShift>
-HWY_INLINE void advanceLayer(const std::uint64_t* solid, int rows, int words, int layer, int towards, int shiftRow,
-                             const std::uint64_t* mask, const RayLayers& rays) {
-  const std::uint64_t* from = rays.row(shiftRow, layer + towards);
-  std::uint64_t* to = rays.row(0, layer);
-  for (int r = 0; r < rows; ++r, from += words, to += words, solid += words)
-    advanceRow<kShift>(from, solid, mask, words, to);
 }
 
 // What the points [begin, end) lose to the directions, or keep, all of which stand at `layer`.
@@ -84,11 +79,20 @@ void readLayer(const LatticeLayers& lattice, int towards, const std::vector<RayD
   const auto one = hn::Set(di, 1);
   // Places within a layer are whole numbers below 2^24: exact in float.
   const auto rowBits = hn::Set(d, static_cast<float>(lattice.words * kWordBits));
-  std::array<std::int32_t, kMostSkipped + 1> kept{};  // first word, of 32 bits, of the layers on
-  for (int j = 0; j <= kMostSkipped; ++j)
-    kept[static_cast<std::size_t>(j)] =
-        static_cast<std::int32_t>(slotOf(layer + towards * j) * rays.front().layerWords() * 2);
-  const auto guard = static_cast<std::int32_t>(kGuardRows * lattice.words * 2);
+  // Of each direction, from a place in this layer to where the ray is in that layer and those after it, in bits.
+  std::vector<PerSkip<std::int32_t>> on(directions.size());
+  const int rowLength = lattice.words * kWordBits;
+  for (std::size_t k = 0; k < directions.size(); ++k)
+    for (int j = 0; j <= kMostSkipped; ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      on[k][at] = static_cast<std::int32_t>(slotOf(layer + towards * j) * rays.front().layerWords() * kWordBits) +
+                  (static_cast<std::int32_t>(steps[k].onRow[at]) + kGuardRows) * rowLength +
+                  static_cast<std::int32_t>(steps[k].onBit[at]);
+    }
+  const auto within = [d](FloatVec place, int count) {
+    return hn::Min(hn::Max(place, hn::Set(d, -static_cast<float>(kReach))),
+                   hn::Set(d, static_cast<float>(count + kReach - 1)));
+  };
   const auto visible = hn::FirstN(d, tally.visible ? lanes : 0);
   for (std::size_t i = begin; i < end; i += lanes) {
     const PointVector point(lattice, points, layer, i, end);
@@ -98,11 +102,11 @@ void readLayer(const LatticeLayers& lattice, int towards, const std::vector<RayD
       const auto cosine = point.cosine(directions[k]);
       const auto facing = hn::And(hn::Gt(cosine, hn::Zero(d)), point.inRange);
       if (hn::AllFalse(d, facing)) continue;
-      // Beyond either end of a row there is a bit that is 0, and beyond the first and last row one of zeros.
-      const RayPlace at = placeOnRay(lattice, point, directions[k], steps[k], cosine, facing);
-      const auto place = hn::ConvertTo(di, hn::Add(hn::Mul(at.row, rowBits), at.column));
-      const auto word = hn::Add(hn::ShiftRight<5>(place), skipped(di, kept, at.skips));
-      const auto bits = hn::GatherIndex(di, rays[k].words32() + guard, word);
+      const RayPlace at = placeOnRay<false>(point, directions[k], steps[k], cosine, facing);
+      const auto row = within(at.row, lattice.rows), column = within(at.column, lattice.length);
+      const auto first = hn::ConvertTo(di, hn::Add(hn::Mul(row, rowBits), column));
+      const auto place = hn::Add(first, chosen(on[k], at.skips));
+      const auto bits = hn::GatherIndex(di, rays[k].words32(), hn::ShiftRight<5>(place));
       const auto met = hn::TestBit(bits, hn::Shl(one, hn::And(place, hn::Set(di, 31))));
       const auto counts = hn::And(facing, hn::Xor(hn::RebindMask(d, met), visible));
       const auto share = hn::IfThenElseZero(counts, kCosine ? cosine : hn::Set(d, 1.0F));
@@ -125,12 +129,18 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
   std::vector<RayLayers> rays;
   for (std::size_t k = 0; k < directions.size(); ++k) rays.emplace_back(lattice.rows, lattice.words);
   const auto words = static_cast<std::size_t>(lattice.words);
-  const auto mask = makeLargeArray<std::uint64_t>(words);
-  std::fill_n(mask.get(), words, std::uint64_t{0});
-  for (int x = 0; x < lattice.length; ++x)
-    mask[static_cast<std::size_t>(x / kWordBits)] |= std::uint64_t{1} << (x % kWordBits);
+  const std::size_t layerWords = words * static_cast<std::size_t>(lattice.rows);
+  const auto zeros = [layerWords] {
+    auto bits = makeLargeArray<std::uint64_t>(layerWords + kVectorWords);
+    std::fill_n(bits.get(), layerWords + kVectorWords, std::uint64_t{0});
+    return bits;
+  };
+  const auto mask = zeros();
+  for (std::size_t r = 0; r < static_cast<std::size_t>(lattice.rows); ++r)
+    for (int x = 0; x < lattice.length; ++x)
+      mask[r * words + static_cast<std::size_t>(x / kWordBits)] |= std::uint64_t{1} << (x % kWordBits);
   // Rows of a layer may lie far apart: copied once for all directions.
-  const auto solid = makeLargeArray<std::uint64_t>(words * static_cast<std::size_t>(lattice.rows));
+  const auto solid = zeros();
 
   std::vector<RayStep> steps(directions.size());
   // The points whose next layer towards the light is this one: those between it and the one on the other side.
@@ -152,8 +162,8 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
     for (std::size_t k = 0; k < directions.size(); ++k) {
       steps[k] = stepInto(layer, towards, directions[k]);
       const auto advance = [&](auto shift) {
-        advanceLayer<decltype(shift)::value>(solid.get(), lattice.rows, lattice.words, layer, towards,
-                                             steps[k].shiftRow, mask.get(), rays[k]);
+        advanceLayer<decltype(shift)::value>(rays[k].row(steps[k].shiftRow, layer + towards), solid.get(), mask.get(),
+                                             static_cast<std::ptrdiff_t>(layerWords), rays[k].row(0, layer));
       };
       if (steps[k].shiftBit == 0) advance(std::integral_constant<int, 0>());
       if (steps[k].shiftBit > 0) advance(std::integral_constant<int, 1>());

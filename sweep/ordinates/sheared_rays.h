@@ -31,8 +31,9 @@
 
 namespace isolume {
 
-/// Bits of a layer, rows rounded up, must be fewer: their places are computed in float.
+/// Bits of a layer, rows rounded up and with kMostBeyond rows more, must be fewer: their places are computed in float.
 inline constexpr std::size_t kMostLayerBits = std::size_t{1} << 24;
+inline constexpr int kMostBeyond = 8;
 
 /// The lattice's bits as rays along one axis read them.
 struct LatticeLayers {

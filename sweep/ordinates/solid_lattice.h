@@ -2,7 +2,7 @@
 //
 // The lattice has `refinement` points per voxel along each axis, the samples among them: size (n - 1) * refinement + 1.
 // Point p lies at sample position p / refinement, and is solid where the trilinear interpolant of the level is > 0.
-// Memory: refinement^3 / 8 bytes per voxel in each order (refinement 2: 1 B), rows rounded up to kRowWords words.
+// Memory: refinement^3 / 8 bytes per voxel in each order (refinement 2: 1 B), rows rounded up to words.
 #pragma once
 
 #include "bit_rows.h"

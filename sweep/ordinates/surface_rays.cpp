@@ -50,11 +50,12 @@ SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> dist
       surface_(level, distance),
       lattice_(makeSolidLattice(level, surface_.solid(), refinement)),
       points_{RayPoints(count()), RayPoints(count()), RayPoints(count())} {
+  const std::vector<glm::vec3> lifted = liftedFeet(surface_.feet(), lattice_, spacing_);
   for (int axis = 0; axis < 3; ++axis) {
     const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
-    if (voxelCount({layers.words * kWordBits, layers.rows + 1, 1}) >= kMostLayerBits)
+    if (voxelCount({layers.words * kWordBits, layers.rows + kMostBeyond, 1}) >= kMostLayerBits)
       throw std::length_error("openness: expected layers of fewer than 2^24 lattice points: take refinement 1");
-    points_[static_cast<std::size_t>(axis)].sort(surface_.feet(), lattice_, spacing_, axis);
+    points_[static_cast<std::size_t>(axis)].sort(surface_.feet(), lifted, lattice_, spacing_, axis);
   }
 }
 

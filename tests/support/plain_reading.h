@@ -86,12 +86,12 @@ inline PlainEntry plainEntry(const PlainLattice& plain, const PlainPoint& point,
     for (int j = 0; j < 3; ++j, height += rise) skips += height < point.toClear ? 1 : 0;
     missing = std::max(point.toClear - height, 0.0F);
   }
-  const float left = point.ahead - missing * point.normal.z * (1 / plain.cell[plain.axes.layer]);
+  const float left = point.ahead - missing * (point.normal.z * (1 / plain.cell[plain.axes.layer]));
   // The lattice point nearest to where the true ray, lifted, crosses the layer, of those that the digital lines cross;
   // from there along the digital line.
   const auto entry = [&](float at, float normal, int axis, double slope) {
     const auto lag = static_cast<float>(slope * point.layer - plainOffset(slope, point.layer));
-    const float lifted = (at - lag) + missing * normal * (1 / plain.cell[axis]),
+    const float lifted = (at - lag) + missing * (normal * (1 / plain.cell[axis])),
                 along = left * static_cast<float>(slope);
     const int read = point.layer + towards * skips;
     return static_cast<int>(std::nearbyint(lifted + along)) + plainOffset(slope, read) -
