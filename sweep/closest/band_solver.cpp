@@ -38,12 +38,27 @@ BandSolver::BandSolver(GridView<const float> level, OffsetField& field, BitGrid&
       set_(set),
       next_(level.size),
       blocks_((level.size.y + kBlockRows - 1) / kBlockRows, (level.size.z + kBatchPlanes - 1) / kBatchPlanes),
-      found_(static_cast<std::size_t>(blocks_.x) * static_cast<std::size_t>(blocks_.y)) {}
+      hasPoints_(static_cast<std::size_t>(blocks_.x) * static_cast<std::size_t>(blocks_.y), 0),
+      found_(hasPoints_.size()) {}
 
 BandSolver::Block BandSolver::block(std::size_t index) const {
   const int at = static_cast<int>(index);
   const glm::ivec2 first = glm::ivec2(at % blocks_.x * kBlockRows, at / blocks_.x * kBatchPlanes);
   return {first, glm::min(first + glm::ivec2(kBlockRows, kBatchPlanes), glm::ivec2(level_.size.y, level_.size.z))};
+}
+
+// The marked blocks and those that touch one.
+std::vector<std::size_t> BandSolver::blocksNear(const std::vector<char>& marked) const {
+  std::vector<std::size_t> near;
+  for (int z = 0; z < blocks_.y; ++z)
+    for (int y = 0; y < blocks_.x; ++y) {
+      bool touches = false;
+      for (int otherZ = std::max(z - 1, 0); otherZ <= std::min(z + 1, blocks_.y - 1); ++otherZ)
+        for (int otherY = std::max(y - 1, 0); otherY <= std::min(y + 1, blocks_.x - 1); ++otherY)
+          touches = touches || marked[static_cast<std::size_t>(otherZ * blocks_.x + otherY)] != 0;
+      if (touches) near.push_back(static_cast<std::size_t>(z * blocks_.x + y));
+    }
+  return near;
 }
 
 template <class OnRow>
@@ -82,6 +97,7 @@ void BandSolver::seed(const BitGrid& inside) {
     forRows(rows, [&](int y, int z) {
       crossedRow(inside, y, z, crossed);
       capRow(inside, y, z, cap);
+      if (!isEmpty(crossed) || !isEmpty(cap)) hasPoints_[index] = 1;
       for (std::size_t w = 0; w < crossed.size(); ++w) {
         set_.row(y, z)[w] = crossed[w] | cap[w];
         crossed[w] &= ~cap[w];
@@ -105,8 +121,9 @@ void BandSolver::seed(const BitGrid& inside) {
 // Searches for the samples of the rows that are not in the set; rowOf(y, z, row) makes a row.
 template <class RowOf>
 void BandSolver::growTo(const RowOf& rowOf) {
-  parallelFor(found_.size(), [&](std::size_t index) {
-    const Block rows = block(index);
+  const std::vector<std::size_t> blocks = blocksNear(hasPoints_);
+  parallelFor(blocks.size(), [&](std::size_t i) {
+    const Block rows = block(blocks[i]);
     BitRow row(static_cast<std::size_t>(set_.words()));
     PointBatch& batch = threadBatch(rows.first.y);
     forRows(rows, [&](int y, int z) {
@@ -119,6 +136,7 @@ void BandSolver::growTo(const RowOf& rowOf) {
       }
       if (!isEmpty(row)) appendStarts(known(), y, z, row, batch);
     });
+    if (batch.count != 0) hasPoints_[blocks[i]] = 1;
     search(false, batch);
     place(batch);
   });
@@ -143,6 +161,7 @@ void BandSolver::growAcrossFaces() {
 
 void BandSolver::reseedCorners(const BitGrid& inside) {
   parallelFor(found_.size(), [&](std::size_t index) {
+    if (hasPoints_[index] == 0) return;
     const Block rows = block(index);
     BitRow crossed(static_cast<std::size_t>(set_.words())), cap(crossed.size());
     PointBatch& batch = threadBatch(rows.first.y);
@@ -175,25 +194,14 @@ void BandSolver::placeFound() {
   });
 }
 
-// Has a block changed that holds a neighbour of one of this block's samples, or this block?
-bool BandSolver::nearChange(std::size_t block, const std::vector<char>& changed) const {
-  const glm::ivec2 at(static_cast<int>(block) % blocks_.x, static_cast<int>(block) / blocks_.x);
-  for (const glm::ivec2 step :
-       {glm::ivec2(0), glm::ivec2(-1, 0), glm::ivec2(1, 0), glm::ivec2(0, -1), glm::ivec2(0, 1)}) {
-    const glm::ivec2 other = at + step;
-    if (other.x < 0 || other.y < 0 || other.x >= blocks_.x || other.y >= blocks_.y) continue;
-    if (changed[static_cast<std::size_t>(other.y * blocks_.x + other.x)] != 0) return true;
-  }
-  return false;
-}
-
 void BandSolver::relax(int rounds) {
   BitGrid& changed = next_;
-  std::vector<char> blockChanged(found_.size(), 1);
+  std::vector<char> blockChanged = hasPoints_;
   for (int round = 0; round < rounds; ++round) {
     std::atomic<std::size_t> count = 0;
-    parallelFor(found_.size(), [&](std::size_t index) {
-      if (!nearChange(index, blockChanged)) return;
+    const std::vector<std::size_t> blocks = blocksNear(blockChanged);
+    parallelFor(blocks.size(), [&](std::size_t i) {
+      const std::size_t index = blocks[i];
       const Block rows = block(index);
       BitRow row(static_cast<std::size_t>(set_.words()));
       PointBatch& batch = threadBatch(rows.first.y);
@@ -207,7 +215,7 @@ void BandSolver::relax(int rounds) {
         if (!isEmpty(row)) appendNearer(known(), y, z, row, kWorthTaking, batch);
       });
       search(false, batch);
-      for (std::size_t i = 0; i < batch.count; ++i) found_[index].push_back({batch.sample(i), batch.point(i)});
+      for (std::size_t k = 0; k < batch.count; ++k) found_[index].push_back({batch.sample(k), batch.point(k)});
       count += batch.count;
     });
     if (count == 0) return;

@@ -45,6 +45,7 @@ class BandSolver {
   };
 
   Block block(std::size_t index) const;
+  std::vector<std::size_t> blocksNear(const std::vector<char>& marked) const;
   template <class OnRow>
   static void forRows(const Block& block, const OnRow& onRow);
   template <class RowOf>
@@ -52,7 +53,6 @@ class BandSolver {
   void search(bool isSeed, PointBatch& batch) const;
   void place(const PointBatch& batch);
   void placeFound();
-  bool nearChange(std::size_t block, const std::vector<char>& changed) const;
   KnownPoints known() const { return {field_, set_, frame_.step}; }
 
   GridView<const float> level_;
@@ -62,6 +62,7 @@ class BandSolver {
   BitGrid& set_;
   BitGrid next_;  // the set after this step, or what relax() has changed
   glm::ivec2 blocks_{0};
+  std::vector<char> hasPoints_;               // of each block
   std::vector<std::vector<NewPoint>> found_;  // of each block, better points that are not in the field yet
 };
 

