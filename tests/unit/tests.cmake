@@ -4,6 +4,7 @@ isolume_test(test_sweep
   unit/level_test.cpp
   unit/geometry_terms_test.cpp
   unit/start_test.cpp
+  unit/distance_peak_test.cpp
   unit/distance_test.cpp
   unit/fixed_point_test.cpp
   unit/band_test.cpp
