@@ -16,7 +16,8 @@
 //
 // Near a smooth surface D is that of the interpolant, whose own error is h^2 / 8 times the sum of second derivatives
 // over the steepness: second order. Where several sheets are about equally far (rims, noise), another than the nearest
-// may be found: on a thin-walled gyroid at 250^3, .06 % of the band are too far by more than .03 voxel, none by .25.
+// may be found: within 3 voxels of a thin-walled gyroid at 250^3, .04 % are too far by more than .03 voxel, none of
+// 20,000 by .13.
 //
 // Mirrored or permuted grids give the same distance, not the same bits. Already in the band a third of the samples
 // differ in the last ones, since the interpolant rounds otherwise in a mirrored cell (torus and gyroid at 128^3; by
