@@ -73,7 +73,9 @@ struct SweepOptions {
   int rounds = 1;
   /// band: |D| = min(k + 1, the |D| of `full`) in smallest spacings, bit for bit, k = bandVoxels >= 0. So D is that of
   /// the whole domain within k voxels and more, and a lower bound of it beyond. Visibility, if asked for, is then swept
-  /// through the finished distances. Costs time where the band is.
+  /// through the finished distances. Costs time where the band is: of ball, torus and gyroid in bench_closest 4, 4 and
+  /// 19 % of the samples are below the bound, and 18, 17 and 48 % lie in spans that reach it, which godunov sweeps
+  /// eight times. One read and one write of the grid take .06 of the whole domain's time.
   DistanceExtent extent = DistanceExtent::full;
   int bandVoxels = 3;
 };

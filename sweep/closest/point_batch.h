@@ -15,6 +15,7 @@ namespace isolume {
 /// Not less than the lanes of any vector the kernels use.
 inline constexpr std::size_t kBatchGroup = 16;
 
+/// Planes that the samples of a batch may come from.
 inline constexpr int kBatchPlanes = 8;
 
 /// How a search has ended (point_kernels.h).
