@@ -125,9 +125,9 @@ HWY_INLINE void lookOnce(const VectorLevel& level, const VectorSamples& samples,
   if (!hn::AllFalse(d, atBest)) {
     const auto reach = hn::Add(hn::Sqrt(search.nearest), hn::Set(d, kBeyondFace));
     atBest = hn::And(atBest, hn::Le(length, hn::Mul(reach, reach)));
-    const auto left = hn::Gt(hn::Mul(gain, gain), hn::Mul(hn::Set(d, kSettledGain * kSettledGain), length));
-    nearer = hn::Or(nearer, hn::And(atBest, left));
-    atBest = hn::AndNot(left, atBest);
+    const auto toGain = hn::Gt(hn::Mul(gain, gain), hn::Mul(hn::Set(d, kSettledGain * kSettledGain), length));
+    nearer = hn::Or(nearer, hn::And(atBest, toGain));
+    atBest = hn::AndNot(toGain, atBest);
     search.settled = hn::Or(search.settled, atBest);
   }
   search.best = chosen(nearer, here, search.best);
