@@ -38,6 +38,12 @@ class BitGrid {
     if (x < 0 || y < 0 || z < 0 || x >= size_.x || y >= size_.y || z >= size_.z) return false;
     return (row(y, z)[x / kWordBits] >> (x % kWordBits) & 1) != 0;
   }
+  /// Is any bit of rows (., z) set?
+  bool anyInPlane(int z) const {
+    const std::uint64_t* first = row(0, z);
+    return std::any_of(first, first + static_cast<std::ptrdiff_t>(words_) * size_.y,
+                       [](std::uint64_t word) { return word != 0; });
+  }
   void mark(int x, int y, int z) { row(y, z)[x / kWordBits] |= std::uint64_t{1} << (x % kWordBits); }
   /// The bits of the last word of a row that stand for samples.
   std::uint64_t lastWordMask() const {
@@ -56,6 +62,24 @@ template <class Visit>
 void forEachBit(const std::uint64_t* row, int words, const Visit& visit) {
   for (int w = 0; w < words; ++w)
     for (std::uint64_t bits = row[w]; bits != 0; bits &= bits - 1) visit(w * kWordBits + std::countr_zero(bits));
+}
+
+/// Calls visit(begin, end) for every run of bits that are set, end not included, in rising x.
+template <class Visit>
+void forEachRun(const std::uint64_t* row, int words, const Visit& visit) {
+  int begin = 0, end = 0;  // the run so far
+  for (int w = 0; w < words; ++w)
+    for (std::uint64_t left = row[w]; left != 0;) {
+      const int first = std::countr_zero(left), length = std::countr_one(left >> first);
+      const int x = w * kWordBits + first;
+      if (x != end) {
+        if (begin < end) visit(begin, end);
+        begin = x;
+      }
+      end = x + length;
+      left = first + length == kWordBits ? 0 : left & ~std::uint64_t{0} << (first + length);
+    }
+  if (begin < end) visit(begin, end);
 }
 
 /// row |= its two neighbours along x; bits beyond the end are not cleared.

@@ -17,8 +17,11 @@
 //   torus    .220 (.286)     .67 (.83)     .0069 (.079)            .0017
 //   box      .381 (.381)     2.12 (2.12)   .0039 (.0041)           .0003
 //   gyroid   .330 (.418)     1.25 (1.33)   .0089 (.112)            .0022
-// The largest on the sphere is too short, at its centre, where six fronts meet and the scheme rounds the peak: a start
-// that is too long hides that. Far from the surface D is too long at three quarters of the samples and more.
+// The largest on the sphere is too short, at its centre, where six fronts meet and the scheme rounds the peak: its own
+// fixed point from exact start values has it too (1.64 where a sample lies within a voxel of the centre of a ball of
+// radius 77.5, 1.74 on it), and start values that are too long by c hide c of it: 1 / sqrt(sum 1 / d_i^2) over the
+// crossings along the axes .05, the paper's .10. Far from the surface D is too long at three quarters of the samples
+// and more.
 //
 // Visibility: V_s in [0, 1], 1 where octant s is unobstructed ([Singh10] Eq. 6), with the transmittance of Eq. 7 over
 // the smallest spacing, of Eq. 8 for a translucent solid. Light enters at the border of the grid. On anisotropic grids
@@ -70,7 +73,9 @@ struct SweepOptions {
   int rounds = 1;
   /// band: |D| = min(k + 1, the |D| of `full`) in smallest spacings, bit for bit, k = bandVoxels >= 0. So D is that of
   /// the whole domain within k voxels and more, and a lower bound of it beyond. Visibility, if asked for, is then swept
-  /// through the finished distances. Costs time where the band is.
+  /// through the finished distances. Costs time where the band is: of ball, torus and gyroid in bench_closest 4, 4 and
+  /// 19 % of the samples are below the bound, and 18, 17 and 48 % lie in spans that reach it, which godunov sweeps
+  /// eight times. One read and one write of the grid take .06 of the whole domain's time.
   DistanceExtent extent = DistanceExtent::full;
   int bandVoxels = 3;
 };

@@ -13,7 +13,7 @@ namespace isolume {
 namespace {
 
 // `limit` everywhere but in the band, and nowhere more; negative inside.
-void writeBandDistance(GridView<const float> level, const NearRuns& band, float limit, OffsetField& field) {
+void writeBandDistance(GridView<const float> level, const BitGrid& band, float limit, OffsetField& field) {
   const auto unit = static_cast<float>(smallestSpacing(level.spacing));
   parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t plane) {
     const int z = static_cast<int>(plane);
@@ -25,23 +25,29 @@ void writeBandDistance(GridView<const float> level, const NearRuns& band, float 
       const auto limitTo = [&](int end) {
         for (; x < end; ++x) row[x] = levels[x] > 0 ? -limit : limit;
       };
-      for (const Run& run : band.row(y, z)) {
-        limitTo(run.begin);
+      forEachRun(band.row(y, z), band.words(), [&](int begin, int end) {
+        limitTo(begin);
         offsetsToDistance(row + x, field.component[1].data() + at + x, field.component[2].data() + at + x, levels + x,
-                          unit, static_cast<std::size_t>(run.end - run.begin), row + x);
-        for (; x < run.end; ++x) row[x] = std::clamp(row[x], -limit, limit);
-      }
+                          unit, static_cast<std::size_t>(end - begin), row + x);
+        for (; x < end; ++x) row[x] = std::clamp(row[x], -limit, limit);
+      });
       limitTo(level.size.x);
     }
   });
+}
+
+bool anyIn(const BitGrid& set) {
+  for (int z = 0; z < set.size().z; ++z)
+    if (set.anyInPlane(z)) return true;
+  return false;
 }
 
 }  // namespace
 
 Grid<float> closestDistance(GridView<const float> level, const ClosestOptions& options) {
   OffsetField field(level);
-  const NearRuns band(solveBand(level, options.bandVoxels, field));
-  if (band.empty()) {
+  const BitGrid band = solveBand(level, options.bandVoxels, field);
+  if (!anyIn(band)) {
     // No sample is inside: a grid that is all inside has its cap.
     std::fill_n(field.component[0].data(), level.count(), std::numeric_limits<float>::infinity());
   } else if (options.extent == DistanceExtent::band) {

@@ -16,16 +16,24 @@
 //
 // Near a smooth surface D is that of the interpolant, whose own error is h^2 / 8 times the sum of second derivatives
 // over the steepness: second order. Where several sheets are about equally far (rims, noise), another than the nearest
-// may be found: on a thin-walled gyroid at 250^3, .06 % of the band are too far by more than .03 voxel, none by .25.
+// may be found: within 3 voxels of a thin-walled gyroid at 250^3, .04 % are too far by more than .03 voxel, none of
+// 20,000 by .13.
+//
+// Mirrored or permuted grids give the same distance, not the same bits. Already in the band a third of the samples
+// differ in the last ones, since the interpolant rounds otherwise in a mirrored cell (torus and gyroid at 128^3; by
+// more than 1e-5 voxel .7 and 1.4 % when mirrored, none and .1 % when permuted). Beyond, ties and the order of the
+// passes decide: by more than a hundredth .6 and .4 % when z is mirrored, 2.5 and .7 % when permuted, all within a
+// tenth. Eight rounds, four times the time on the torus, reach the passes' fixed point and leave a quarter to two
+// thirds of these.
 //
 // Degenerate input: no sample inside gives +inf everywhere (a grid that is all inside has its cap). A level of exactly
 // 0 is outside; a sample on the surface has 0, with the sign of its side (-0 for a sample of a cap). A corner of level
 // 0 (or 0 in float beside its cell's largest) that no crossed edge ends in may count as surface or not. Axes with one
 // sample have no thickness: on them every sample lies on the border.
 //
-// Cost: O(n), two passes. Memory: 12 bytes per voxel beside the level, the result included; while the band is made also
-// 3 bits per voxel; plus O(surface) and O(nx ny). Planes of less than 2^31 samples. Bitwise the same for any number of
-// threads and any SIMD width.
+// Cost: O(n), two passes. Memory: 12 bytes per voxel beside the level, the result included, of which 8 are not touched
+// in planes below the surface; while the band is made also 3 bits per voxel; plus O(nx ny). Planes of less than 2^31
+// samples. Bitwise the same for any number of threads and any SIMD width.
 #pragma once
 
 #include "sweep/distance_extent.h"

@@ -1,109 +1,258 @@
 #include "neighbour_points.h"
 
 #include <array>
+#include <bit>
+#include <cstring>
+#include <span>
 
 #include "closest_point.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/closest/neighbour_points.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "point_vector-inl.h"
 
+#ifndef ISOLUME_NEIGHBOUR_STEPS
+#define ISOLUME_NEIGHBOUR_STEPS
+namespace isolume {
+
+// The steps to neighbours across faces, edges and corners, each in rising z, y, x. Rows: dy + 1 + 3 (dz + 1).
+struct Step {
+  int row = 0, dx = 0;
+};
+struct AllSteps {
+  std::array<Step, 26> all{};
+  std::array<std::size_t, 4> end{};  // of those along 1, 2 and 3 axes
+
+  constexpr std::span<const Step> along(std::size_t axes) const {
+    return {all.data() + end[axes - 1], end[axes] - end[axes - 1]};
+  }
+};
+inline constexpr int kRows = 9;
+constexpr AllSteps makeSteps() {
+  AllSteps steps;
+  std::size_t count = 0;
+  for (int axes = 1; axes <= 3; ++axes) {
+    for (int row = 0; row < kRows; ++row)
+      for (int dx = -1; dx <= 1; ++dx)
+        if ((row % 3 != 1) + (row / 3 != 1) + (dx != 0) == axes) steps.all[count++] = {row, dx};
+    steps.end[static_cast<std::size_t>(axes)] = count;
+  }
+  return steps;
+}
+inline constexpr AllSteps kSteps = makeSteps();
+
+// Offsets shorter than this are too inexact for a direction, in smallest spacings: Newton's steps leave 1e-6.
+inline constexpr float kShortestNormal = 1e-3F;
+
+// Rows of the next plane that are fetched so far ahead cost a tenth to a fifth less of the whole band.
+inline constexpr int kRowsAhead = 4;
+
+}  // namespace isolume
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
 
-HWY_INLINE Vec3 ownPoints(const OffsetField& field, int z, IntVec x, IntVec y) {
-  const FloatTag d;
-  const IntTag di;
-  const GridView<const float> view = field.component[0].view();
-  const std::ptrdiff_t first = z * view.strideZ();
-  const auto at = hn::Add(hn::Mul(y, hn::Set(di, view.size.x)), x);
-  const auto own = hn::GatherIndex(d, field.component[0].data() + first, at);
-  // The other components of an unset sample may hold anything.
-  const auto unset = hn::Eq(own, hn::Set(d, kUnsetOffset));
-  return {own, hn::IfThenZeroElse(unset, hn::GatherIndex(d, field.component[1].data() + first, at)),
-          hn::IfThenZeroElse(unset, hn::GatherIndex(d, field.component[2].data() + first, at))};
+// The lanes of one vector: samples x, x + 1, ... of a row; one bit for each that is meant.
+struct RowPart {
+  int x = 0;
+  std::uint64_t bits = 0;
+};
+
+HWY_INLINE FloatMask maskOf(std::uint64_t bits) {
+  std::uint8_t bytes[8];  // as many as LoadMaskBits may read
+  std::memcpy(bytes, &bits, sizeof bits);
+  return hn::LoadMaskBits(FloatTag(), bytes);
 }
 
-HWY_INLINE void storePoints(const Vec3& points, PointBatch& batch, std::size_t i) {
-  storeBatch(points, batch.offset, i);
-  storeBatch(points, batch.trial, i);
+// Values at the lanes of `bits`, 0 elsewhere; nothing else is read.
+HWY_INLINE FloatVec loadBits(const float* from, std::uint64_t bits, FloatMask mask) {
+  const FloatTag d;
+#if HWY_MEM_OPS_MIGHT_FAULT
+  (void)mask;
+  HWY_ALIGN float values[kBatchGroup] = {};
+  for (; bits != 0; bits &= bits - 1) values[std::countr_zero(bits)] = from[std::countr_zero(bits)];
+  return hn::Load(d, values);
+#else
+  (void)bits;
+  return hn::MaskedLoad(mask, d, from);
+#endif
 }
 
-// Calls offer(candidate, exists) for the neighbours at those steps: their points, as seen from the samples.
-template <class Offer>
-HWY_INLINE void forNeighbours(const OffsetField& field, glm::vec3 unit, int z, NeighbourSteps steps, IntVec x, IntVec y,
-                              const Offer& offer) {
-  const FloatTag d;
-  const IntTag di;
-  const glm::ivec3 size = field.component[0].size();
-  const std::ptrdiff_t strideZ = field.component[0].view().strideZ();
-  const auto within = [&](IntVec at, int last) {
-    return hn::And(hn::Gt(at, hn::Set(di, -1)), hn::Lt(at, hn::Set(di, last + 1)));
-  };
-  const auto clamped = [&](IntVec at, int last) { return hn::Min(hn::Max(at, hn::Zero(di)), hn::Set(di, last)); };
-  for (const glm::ivec3 step : steps) {
-    if (z + step.z < 0 || z + step.z >= size.z) continue;
-    const auto nx = hn::Add(x, hn::Set(di, step.x)), ny = hn::Add(y, hn::Set(di, step.y));
-    const auto from = hn::Add(hn::Mul(clamped(ny, size.y - 1), hn::Set(di, size.x)), clamped(nx, size.x - 1));
-    const std::ptrdiff_t first = (z + step.z) * strideZ;
-    const glm::vec3 move = glm::vec3(step) * unit;
-    offer(Vec3{hn::Add(hn::GatherIndex(d, field.component[0].data() + first, from), hn::Set(d, move.x)),
-               hn::Add(hn::GatherIndex(d, field.component[1].data() + first, from), hn::Set(d, move.y)),
-               hn::Add(hn::GatherIndex(d, field.component[2].data() + first, from), hn::Set(d, move.z))},
-          hn::RebindMask(d, hn::And(within(nx, size.x - 1), within(ny, size.y - 1))));
+HWY_INLINE Vec3 pointsAt(const std::array<const float*, 3>& row, int x, std::uint64_t bits) {
+  const FloatMask mask = maskOf(bits);
+  return {loadBits(row[0] + x, bits, mask), loadBits(row[1] + x, bits, mask), loadBits(row[2] + x, bits, mask)};
+}
+
+// A row and the eight around it.
+class RowsAround {
+ public:
+  RowsAround(const KnownPoints& known, int y, int z) : words_(known.set.words()), unitX_(known.unit.x) {
+    const glm::ivec3 size = known.set.size();
+    const GridView<const float> view = known.field.component[0].view();
+    const std::size_t ahead = view.index(0, std::min(y + kRowsAhead, size.y - 1), std::min(z + 1, size.z - 1));
+    for (std::size_t axis = 0; axis < 3; ++axis) ahead_[axis] = known.field.component[axis].data() + ahead;
+    for (int dz = -1; dz <= 1; ++dz)
+      for (int dy = -1; dy <= 1; ++dy) {
+        Row& row = rows_[static_cast<std::size_t>(dy + 1 + 3 * (dz + 1))];
+        if (y + dy < 0 || z + dz < 0 || y + dy >= size.y || z + dz >= size.z) continue;
+        row.bits = known.set.row(y + dy, z + dz);
+        const std::ptrdiff_t at = (static_cast<std::ptrdiff_t>(z + dz) * size.y + (y + dy)) * size.x;
+        for (std::size_t axis = 0; axis < 3; ++axis) row.points[axis] = known.field.component[axis].data() + at;
+        row.moveY = static_cast<float>(dy) * known.unit.y;
+        row.moveZ = static_cast<float>(dz) * known.unit.z;
+      }
   }
+
+  // Has a part of a row further on fetched into the caches.
+  void prefetch(int x) const {
+    for (const float* row : ahead_) hwy::Prefetch(row + x);
+  }
+
+  Vec3 ownPoints(const RowPart& part) const { return pointsAt(rows_[kRows / 2].points, part.x, part.bits); }
+
+  // Calls offer(candidates, points, has) for the neighbours at those steps that have points: these as seen from the
+  // samples, as seen from themselves, and which they are.
+  template <class Offer>
+  HWY_INLINE void forNeighbours(const RowPart& part, std::span<const Step> steps, const Offer& offer) const {
+    const FloatTag d;
+    for (const Step step : steps) {
+      const Row& row = rows_[static_cast<std::size_t>(step.row)];
+      if (row.bits == nullptr) continue;
+      const std::uint64_t bits = bitsFrom(row.bits, part.x + step.dx) & part.bits;
+      if (bits == 0) continue;
+      const Vec3 points = pointsAt(row.points, part.x + step.dx, bits);
+      const Vec3 candidates = {hn::Add(points.x, hn::Set(d, static_cast<float>(step.dx) * unitX_)),
+                               hn::Add(points.y, hn::Set(d, row.moveY)), hn::Add(points.z, hn::Set(d, row.moveZ))};
+      offer(candidates, points, maskOf(bits));
+    }
+  }
+
+ private:
+  struct Row {
+    const std::uint64_t* bits = nullptr;  // null beyond the grid
+    std::array<const float*, 3> points{};
+    float moveY = 0, moveZ = 0;
+  };
+
+  // As many bits as a vector has lanes, at least; from >= -1.
+  HWY_INLINE std::uint64_t bitsFrom(const std::uint64_t* row, int from) const {
+    if (from < 0) return row[0] << 1;
+    const auto at = static_cast<unsigned>(from);
+    const unsigned word = at / kWordBits, shift = at % kWordBits;
+    if (word >= static_cast<unsigned>(words_)) return 0;
+    const std::uint64_t low = row[word] >> shift;
+    if (shift + kBatchGroup <= kWordBits || word + 1 == static_cast<unsigned>(words_)) return low;
+    return low | row[word + 1] << (kWordBits - shift);
+  }
+
+  int words_;
+  float unitX_;
+  std::array<const float*, 3> ahead_;
+  std::array<Row, kRows> rows_;
+};
+
+// Calls onPart(part) for parts of a row that hold all samples that are wanted.
+template <class OnPart>
+HWY_INLINE void forParts(const BitRow& wanted, const OnPart& onPart) {
+  const int lanes = static_cast<int>(hn::Lanes(FloatTag()));
+  const std::uint64_t all = (std::uint64_t{1} << lanes) - 1;
+  for (std::size_t w = 0; w < wanted.size(); ++w)
+    for (std::uint64_t left = wanted[w]; left != 0;) {
+      const int first = std::countr_zero(left);
+      onPart(RowPart{static_cast<int>(w) * kWordBits + first, left >> first & all});
+      left &= ~(all << first);
+    }
 }
 
-HWY_INLINE void storeState(hn::Mask<FloatTag> chosen, PointState state, PointBatch& batch, std::size_t i) {
-  const IntTag di;
-  const hn::Rebind<std::uint8_t, FloatTag> bytes;
-  const auto states = hn::IfThenElseZero(hn::RebindMask(di, chosen), hn::Set(di, static_cast<std::int32_t>(state)));
-  hn::StoreU(hn::DemoteTo(bytes, states), bytes, reinterpret_cast<std::uint8_t*>(batch.state.data()) + i);
-}
-
-void takeBatch(const OffsetField& field, glm::vec3 unit, int z, NeighbourSteps steps, float share, PointBatch& batch) {
+HWY_INLINE void append(const RowPart& part, int y, int z, FloatMask which, const Vec3& offset, const Vec3& trial,
+                       PointBatch& batch) {
   const FloatTag d;
   const IntTag di;
-  for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
-    const auto x = hn::LoadU(di, batch.x.data() + i), y = hn::LoadU(di, batch.y.data() + i);
-    Vec3 best = ownPoints(field, z, x, y);
+  const std::size_t at = batch.count;
+  const auto put = [&](FloatVec v, PointBatch::Floats& to) { hn::CompressStore(v, which, d, to.data() + at); };
+  put(offset.x, batch.offset[0]);
+  put(offset.y, batch.offset[1]);
+  put(offset.z, batch.offset[2]);
+  put(trial.x, batch.trial[0]);
+  put(trial.y, batch.trial[1]);
+  put(trial.z, batch.trial[2]);
+  hn::StoreU(hn::Set(di, y), di, batch.y.data() + at);
+  hn::StoreU(hn::Set(di, z), di, batch.z.data() + at);
+  batch.count += hn::CompressStore(hn::Iota(di, part.x), hn::RebindMask(di, which), di, batch.x.data() + at);
+}
+
+void startsInRow(const KnownPoints& known, int y, int z, const BitRow& wanted, PointBatch& batch) {
+  const FloatTag d;
+  const auto zero = hn::Zero(d);
+  const RowsAround rows(known, y, z);
+  forParts(wanted, [&](const RowPart& part) {
+    rows.prefetch(part.x);
+    Vec3 best = {hn::Set(d, kUnsetOffset), zero, zero}, normal = {zero, zero, zero};
+    const auto none = hn::Set(d, kUnsetOffset * kUnsetOffset);
+    auto nearest = none;
+    RowPart left = part;
+    for (std::size_t axes = 1; axes <= 3 && left.bits != 0; ++axes) {
+      std::uint64_t found = 0;
+      rows.forNeighbours(left, kSteps.along(axes), [&](const Vec3& candidate, const Vec3& points, FloatMask has) {
+        const auto length = dot(candidate, candidate);
+        const auto nearer = hn::And(hn::Lt(length, nearest), has);
+        best = chosen(nearer, candidate, best);
+        normal = chosen(nearer, points, normal);
+        nearest = hn::IfThenElse(nearer, length, nearest);
+      });
+      std::uint8_t bytes[8] = {};  // as many as StoreMaskBits may write
+      hn::StoreMaskBits(d, hn::Lt(nearest, none), bytes);
+      std::memcpy(&found, bytes, sizeof found);
+      left.bits &= ~found;
+    }
+    const auto squared = dot(normal, normal);
+    const auto foot = scaled(normal, hn::Div(dot(best, normal), squared));
+    const auto has = hn::Gt(squared, hn::Set(d, kShortestNormal * kShortestNormal));
+    append(part, y, z, maskOf(part.bits), best, chosen(has, foot, best), batch);
+  });
+}
+
+void nearerInRow(const KnownPoints& known, int y, int z, const BitRow& wanted, float share, PointBatch& batch) {
+  const FloatTag d;
+  const RowsAround rows(known, y, z);
+  forParts(wanted, [&](const RowPart& part) {
+    rows.prefetch(part.x);
+    Vec3 best = rows.ownPoints(part);
     auto nearest = hn::Mul(dot(best, best), hn::Set(d, share));
     auto taken = hn::Lt(nearest, nearest);
-    forNeighbours(field, unit, z, steps, x, y, [&](const Vec3& candidate, auto exists) {
+    rows.forNeighbours(part, kSteps.along(1), [&](const Vec3& candidate, const Vec3&, FloatMask has) {
       const auto length = dot(candidate, candidate);
-      const auto nearer = hn::And(hn::Lt(length, nearest), exists);
-      best = {hn::IfThenElse(nearer, candidate.x, best.x), hn::IfThenElse(nearer, candidate.y, best.y),
-              hn::IfThenElse(nearer, candidate.z, best.z)};
+      const auto nearer = hn::And(hn::Lt(length, nearest), has);
+      best = chosen(nearer, candidate, best);
       nearest = hn::IfThenElse(nearer, length, nearest);
       taken = hn::Or(taken, nearer);
     });
-    storePoints(best, batch, i);
-    storeState(taken, PointState::settled, batch, i);
-  }
+    if (!hn::AllFalse(d, taken)) append(part, y, z, taken, best, best, batch);
+  });
 }
 
-void doubtBatch(const OffsetField& field, glm::vec3 unit, int z, PointBatch& batch) {
+void doubtfulInRow(const KnownPoints& known, int y, int z, const BitRow& wanted, PointBatch& batch) {
   const FloatTag d;
-  const IntTag di;
   const auto slope = hn::Set(d, static_cast<float>(kSameSheet * kSameSheet));
-  const auto unset = hn::Set(d, kUnsetOffset / 2);
-  for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
-    const auto x = hn::LoadU(di, batch.x.data() + i), y = hn::LoadU(di, batch.y.data() + i);
-    const Vec3 o = ownPoints(field, z, x, y);
-    storePoints(o, batch, i);
-    const auto length = dot(o, o);
+  const RowsAround rows(known, y, z);
+  forParts(wanted, [&](const RowPart& part) {
+    rows.prefetch(part.x);
+    const Vec3 own = rows.ownPoints(part);
+    const auto length = dot(own, own);
     auto other = hn::Lt(length, length);
-    forNeighbours(field, unit, z, faceSteps(), x, y, [&](const Vec3& c, auto exists) {
-      const Vec3 apart = {hn::Sub(c.x, o.x), hn::Sub(c.y, o.y), hn::Sub(c.z, o.z)};
-      const auto out = dot(apart, o);
+    rows.forNeighbours(part, kSteps.along(1), [&](const Vec3& there, const Vec3&, FloatMask has) {
+      const Vec3 apart = {hn::Sub(there.x, own.x), hn::Sub(there.y, own.y), hn::Sub(there.z, own.z)};
+      const auto out = dot(apart, own);
       const auto leaves = hn::Gt(hn::Mul(out, out), hn::Mul(hn::Mul(slope, length), dot(apart, apart)));
-      other = hn::Or(other, hn::And(hn::And(leaves, exists), hn::Lt(c.x, unset)));
+      other = hn::Or(other, hn::And(leaves, has));
     });
-    storeState(other, PointState::stuck, batch, i);
-  }
+    if (!hn::AllFalse(d, other)) append(part, y, z, other, own, own, batch);
+  });
 }
 
 }  // namespace isolume::HWY_NAMESPACE
@@ -112,46 +261,28 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isolume {
 
-HWY_EXPORT(takeBatch);
-HWY_EXPORT(doubtBatch);
+HWY_EXPORT(startsInRow);
+HWY_EXPORT(nearerInRow);
+HWY_EXPORT(doubtfulInRow);
 
 namespace {
 
-struct Steps {
-  std::array<glm::ivec3, 26> all{};
-  std::array<std::size_t, 4> end{};  // of those along 1, 2 and 3 axes
-};
-
-constexpr Steps makeSteps() {
-  Steps steps;
-  std::size_t count = 0;
-  for (int axes = 1; axes <= 3; ++axes) {
-    for (int z = -1; z <= 1; ++z)
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-          if (x * x + y * y + z * z == axes) steps.all[count++] = glm::ivec3(x, y, z);
-    steps.end[static_cast<std::size_t>(axes)] = count;
-  }
-  return steps;
-}
-constexpr Steps kSteps = makeSteps();
-
-NeighbourSteps stepsAlong(std::size_t axes) {
-  return {kSteps.all.data() + kSteps.end[axes - 1], kSteps.end[axes] - kSteps.end[axes - 1]};
+// Room for all samples of a row, so that the kernels need not look.
+PointBatch& withRoom(const BitRow& wanted, PointBatch& batch) {
+  batch.makeRoom(batch.count + wanted.size() * kWordBits);
+  return batch;
 }
 
 }  // namespace
 
-NeighbourSteps faceSteps() { return stepsAlong(1); }
-NeighbourSteps edgeSteps() { return stepsAlong(2); }
-NeighbourSteps cornerSteps() { return stepsAlong(3); }
-
-void takeFromNeighbours(const OffsetField& field, glm::vec3 unit, int z, NeighbourSteps steps, float share,
-                        PointBatch& batch) {
-  HWY_DYNAMIC_DISPATCH(takeBatch)(field, unit, z, steps, share, batch);
+void appendStarts(const KnownPoints& known, int y, int z, const BitRow& wanted, PointBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(startsInRow)(known, y, z, wanted, withRoom(wanted, batch));
 }
-void doubtNeighbours(const OffsetField& field, glm::vec3 unit, int z, PointBatch& batch) {
-  HWY_DYNAMIC_DISPATCH(doubtBatch)(field, unit, z, batch);
+void appendNearer(const KnownPoints& known, int y, int z, const BitRow& wanted, float share, PointBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(nearerInRow)(known, y, z, wanted, share, withRoom(wanted, batch));
+}
+void appendDoubtful(const KnownPoints& known, int y, int z, const BitRow& wanted, PointBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(doubtfulInRow)(known, y, z, wanted, withRoom(wanted, batch));
 }
 
 }  // namespace isolume

@@ -1,32 +1,34 @@
-// Closest points taken over from neighbours, for many samples of one z plane at once, in SIMD.
+// Closest points taken over from neighbours, for the samples of one row at a time, in SIMD.
 //
-// A candidate is a neighbour's offset plus the step to it; it replaces the sample's own offset if it is strictly nearer
-// (by the factor that is asked for), in the order of the steps. Unset neighbours and those beyond the grid never are.
-// The same bits on every target. Thread-safe.
+// A candidate is a neighbour's offset plus the step to it; the nearest one counts, and of equals the first in the order
+// of the steps (rising z, y, x). Only samples of the set have points: nothing else of the field is read. What is found
+// goes to the end of a batch. The same bits on every target. Thread-safe.
 #pragma once
-
-#include <span>
 
 #include "offset_field.h"
 #include "point_batch.h"
+#include "sweep/bit_grid.h"
 
 namespace isolume {
 
-/// The steps to neighbours across faces, edges and corners.
-using NeighbourSteps = std::span<const glm::ivec3>;
-NeighbourSteps faceSteps();
-NeighbourSteps edgeSteps();
-NeighbourSteps cornerSteps();
+/// The points that there are.
+struct KnownPoints {
+  const OffsetField& field;
+  const BitGrid& set;
+  glm::vec3 unit{1};  ///< the spacing in smallest spacings
+};
 
-/// Offset and trial of each sample become the nearest of its own point and the candidates; the state says whether a
-/// candidate was taken: settled, else searching. A candidate's square must be less than `share` times the own one's.
-/// `unit` is the spacing in smallest spacings.
-void takeFromNeighbours(const OffsetField& field, glm::vec3 unit, int z, NeighbourSteps steps, float share,
-                        PointBatch& batch);
+/// Samples of `wanted` in row (y, z), none of the set: offsets are the nearest candidate across faces; where there is
+/// none, across edges; else across corners, of which there must be one. Trials are the feet of the samples on the plane
+/// through that point across the neighbour's own offset: where the surface is flat, the closest points.
+void appendStarts(const KnownPoints& known, int y, int z, const BitRow& wanted, PointBatch& batch);
 
-/// Offset and trial become the sample's own point. State stuck for samples one of whose neighbours across faces has a
-/// point that is not on the sheet of their own: it leaves the plane there, across the offset, by more than kSameSheet.
-/// State searching for all others.
-void doubtNeighbours(const OffsetField& field, glm::vec3 unit, int z, PointBatch& batch);
+/// Those samples of `wanted`, all of the set, that have a candidate across faces whose square is less than `share`
+/// times that of their own point: offset and trial are the nearest of these.
+void appendNearer(const KnownPoints& known, int y, int z, const BitRow& wanted, float share, PointBatch& batch);
+
+/// Those samples of `wanted`, all of the set, one of whose neighbours across faces has a point that is not on the sheet
+/// of their own: it leaves the plane there, across the offset, by more than kSameSheet. Offset and trial are their own.
+void appendDoubtful(const KnownPoints& known, int y, int z, const BitRow& wanted, PointBatch& batch);
 
 }  // namespace isolume

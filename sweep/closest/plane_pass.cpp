@@ -11,24 +11,33 @@ namespace {
 
 class PlanePass {
  public:
-  PlanePass(const NearRuns& fixed, OffsetField& field)
+  PlanePass(const BitGrid& fixed, OffsetField& field)
       : fixed_(fixed),
         field_(field),
         size_(field.component[0].size()),
         step_(field.component[0].view().spacing / smallestSpacing(field.component[0].view().spacing)),
         before_(size_.x, size_.y),
         plane_(size_.x, size_.y),
-        copy_(size_.x, size_.y) {}
+        copy_(size_.x, size_.y) {
+    while (!fixed_.anyInPlane(firstSet_)) ++firstSet_;
+  }
 
-  // Planes in direction dz; `dz` is also minus the step to the plane before. In the first pass of all, nothing but the
-  // fixed samples is read from the field. finishRow(z, y, plane) takes over a row of points.
+  // The first pass of all, upwards: nothing but the fixed samples is read from the field.
   template <class FinishRow>
-  void run(int dz, bool first, const FinishRow& finishRow) {
+  void runFirst(const FinishRow& finishRow) {
+    for (int z = firstSet_; z < size_.z; ++z) nextPlane(z, z == firstSet_ ? 0 : 1, true, finishRow);
+  }
+
+  // Planes in direction dz. Those from `unsetBelow` down have no points yet. finishRow(z, y, plane) takes over a row of
+  // points.
+  template <class FinishRow>
+  void run(int dz, int unsetBelow, const FinishRow& finishRow) {
     for (int i = 0; i < size_.z; ++i) {
-      onPlane(dz > 0 ? i : size_.z - 1 - i, i == 0 ? 0 : dz, first, finishRow);
-      std::swap(before_, plane_);
+      const int z = dz > 0 ? i : size_.z - 1 - i;
+      nextPlane(z, i == 0 ? 0 : dz, z < unsetBelow, finishRow);
     }
   }
+  int firstSet() const { return firstSet_; }
 
   // Row y of plane z from the scratch plane into the field.
   void storeRow(int z, int y, const PaddedPlane& plane) {
@@ -38,12 +47,14 @@ class PlanePass {
   }
 
  private:
+  // `dz` is also minus the step to the plane before; 0 if there is none. `fixedOnly`: nothing but the fixed samples is
+  // read from the field.
   template <class FinishRow>
-  void onPlane(int z, int dz, bool first, const FinishRow& finishRow) {
+  void nextPlane(int z, int dz, bool fixedOnly, const FinishRow& finishRow) {
     const std::size_t groups = static_cast<std::size_t>(PaddedPlane::roundUp(size_.y) / kRowGroup);
     parallelFor(groups, [&](std::size_t group) {
       for (int y = static_cast<int>(group) * kRowGroup; y < rowEnd(group); ++y) {
-        loadRow(z, y, first);
+        loadRow(z, y, fixedOnly);
         if (dz != 0) {
           takeFromPlane(before_, static_cast<float>(-dz) * step_.z, step_, size_.x, y, plane_, copy_);
         } else {
@@ -65,6 +76,7 @@ class PlanePass {
         finishRow(z, y, plane_);
       }
     });
+    std::swap(before_, plane_);
   }
 
   int rowEnd(std::size_t group) const { return std::min(static_cast<int>(group + 1) * kRowGroup, size_.y); }
@@ -84,12 +96,14 @@ class PlanePass {
   }
   void loadFixed(int z, int y) {
     const std::size_t at = field_.component[0].view().index(0, y, z);
-    for (const Run& run : fixed_.row(y, z))
+    forEachRun(fixed_.row(y, z), fixed_.words(), [&](int begin, int end) {
       for (int axis = 0; axis < 3; ++axis)
-        std::copy(component(axis) + at + run.begin, component(axis) + at + run.end, plane_.row(axis, y) + run.begin);
+        std::copy(component(axis) + at + begin, component(axis) + at + end, plane_.row(axis, y) + begin);
+    });
   }
 
-  const NearRuns& fixed_;
+  const BitGrid& fixed_;
+  int firstSet_ = 0;  // the first plane with fixed samples
   OffsetField& field_;
   glm::ivec3 size_;
   glm::vec3 step_;
@@ -98,7 +112,7 @@ class PlanePass {
 
 }  // namespace
 
-void carryOffsets(GridView<const float> level, const NearRuns& fixed, int rounds, OffsetField& field) {
+void carryOffsets(GridView<const float> level, const BitGrid& fixed, int rounds, OffsetField& field) {
   PlanePass pass(fixed, field);
   const auto store = [&](int z, int y, const PaddedPlane& plane) { pass.storeRow(z, y, plane); };
   const auto unit = static_cast<float>(smallestSpacing(level.spacing));
@@ -108,11 +122,17 @@ void carryOffsets(GridView<const float> level, const NearRuns& fixed, int rounds
                       static_cast<std::size_t>(level.size.x), field.component[0].data() + at);
   };
   for (int round = 0; round < rounds; ++round) {
-    pass.run(1, round == 0, store);
-    if (round + 1 < rounds) {
-      pass.run(-1, false, store);
+    const bool first = round == 0, last = round + 1 == rounds;
+    if (first) {
+      pass.runFirst(store);
     } else {
-      pass.run(-1, false, finish);
+      pass.run(1, 0, store);
+    }
+    const int unsetBelow = first ? pass.firstSet() : 0;
+    if (last) {
+      pass.run(-1, unsetBelow, finish);
+    } else {
+      pass.run(-1, unsetBelow, store);
     }
   }
 }

@@ -13,18 +13,21 @@
 // at most the spacing; along y and z the tests find at most a hundredth more. After [Danielsson80] (vector distance
 // transform by raster scans), with subvoxel points instead of voxel centres.
 //
+// Planes below the first fixed sample have no points on the way up: there the first pass of all does nothing and writes
+// nothing, so that memory that nobody has touched yet stays untouched.
+//
 // Cost: 2 (9 + 6 + 2) candidates per voxel, SIMD along x (16 rows side by side in step 3), O(nx ny) scratch. Threads
 // share rows in steps 1 and 3, and the two copies in step 2. Bitwise the same for any number of lanes and threads.
 #pragma once
 
-#include "near_runs.h"
 #include "offset_field.h"
+#include "sweep/bit_grid.h"
 
 namespace isolume {
 
 /// That many rounds (>= 1) of both passes over `field`, of which only the samples of `fixed` (at least one) need to be
 /// set. The last pass writes the signed distance in world units over the first components; the others hold no meaning
 /// afterwards.
-void carryOffsets(GridView<const float> level, const NearRuns& fixed, int rounds, OffsetField& field);
+void carryOffsets(GridView<const float> level, const BitGrid& fixed, int rounds, OffsetField& field);
 
 }  // namespace isolume

@@ -1,7 +1,8 @@
-// Samples of one z plane whose closest points are sought together: structure of arrays for the vector kernels.
+// Samples of a few planes whose closest points are sought together: structure of arrays for the vector kernels.
 //
 // Arrays are padded to whole groups of kBatchGroup by copies of the last sample, so that kernels need no tail. Offsets
-// are from the sample, in units of the smallest spacing. 64 bytes per sample; meant to be kept and used again.
+// are from the sample, in units of the smallest spacing. 68 bytes per sample; meant to be kept and used again: room
+// once made stays.
 #pragma once
 
 #include <array>
@@ -14,6 +15,9 @@ namespace isolume {
 /// Not less than the lanes of any vector the kernels use.
 inline constexpr std::size_t kBatchGroup = 16;
 
+/// Planes that the samples of a batch may come from.
+inline constexpr int kBatchPlanes = 8;
+
 /// How a search has ended (point_kernels.h).
 enum class PointState : std::uint8_t {
   searching,
@@ -24,7 +28,7 @@ enum class PointState : std::uint8_t {
 
 struct PointBatch {
   using Floats = std::vector<float>;
-  std::vector<std::int32_t> x, y;
+  std::vector<std::int32_t> x, y, z;
   std::array<Floats, 3> offset;   ///< the best point of the surface so far
   std::array<Floats, 3> trial;    ///< the next place to look at: at first, on the surface or near it
   std::array<Floats, 3> retreat;  ///< the step along the tangent plane at the best point
@@ -34,13 +38,22 @@ struct PointBatch {
   Floats tries;                   ///< looks since the best point moved
   std::vector<PointState> state;
   std::size_t count = 0;
+  int firstPlane = 0;  ///< lowest z that a sample may have; the highest is less than kBatchPlanes above it
 
-  std::size_t padded() const { return x.size(); }
+  std::size_t padded() const { return (count + kBatchGroup - 1) / kBatchGroup * kBatchGroup; }
+  void clear(int firstPlane_) {
+    count = 0;
+    firstPlane = firstPlane_;
+  }
   void resize(std::size_t samples) {
+    makeRoom(samples);
     count = samples;
-    const std::size_t size = (samples + kBatchGroup - 1) / kBatchGroup * kBatchGroup;
-    x.resize(size);
-    y.resize(size);
+  }
+  /// For that many samples, and for a whole vector to be written at any of them.
+  void makeRoom(std::size_t samples) {
+    if (samples + kBatchGroup <= x.size()) return;
+    const std::size_t size = samples + samples / 2 + kBatchGroup;
+    for (auto* places : {&x, &y, &z}) places->resize(size);
     for (auto* vectors : {&offset, &trial, &retreat})
       for (Floats& values : *vectors) values.resize(size);
     for (Floats* values : {&nearest, &promised, &share, &tries}) values->resize(size);
@@ -50,6 +63,7 @@ struct PointBatch {
   void copy(std::size_t i, const PointBatch& from, std::size_t j) {
     x[i] = from.x[j];
     y[i] = from.y[j];
+    z[i] = from.z[j];
     for (std::size_t axis = 0; axis < 3; ++axis) {
       offset[axis][i] = from.offset[axis][j];
       trial[axis][i] = from.trial[axis][j];
@@ -61,28 +75,14 @@ struct PointBatch {
     tries[i] = from.tries[j];
     state[i] = from.state[j];
   }
-  /// Sample i becomes sample j, as far as a search that has not begun needs it.
-  void copyStart(std::size_t i, std::size_t j) {
-    x[i] = x[j];
-    y[i] = y[j];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      offset[axis][i] = offset[axis][j];
-      trial[axis][i] = trial[axis][j];
-    }
-  }
-  /// Fills the groups, once all samples are in: everything, or their places alone.
+  /// Fills the groups, once all samples are in.
   void pad() {
     for (std::size_t i = count; i < padded(); ++i) copy(i, *this, count - 1);
-  }
-  void padPlaces() {
-    for (std::size_t i = count; i < padded(); ++i) {
-      x[i] = x[count - 1];
-      y[i] = y[count - 1];
-    }
   }
   void set(std::size_t i, glm::vec3 point) {
     for (std::size_t axis = 0; axis < 3; ++axis) offset[axis][i] = trial[axis][i] = point[static_cast<int>(axis)];
   }
+  glm::ivec3 sample(std::size_t i) const { return {x[i], y[i], z[i]}; }
   glm::vec3 point(std::size_t i) const { return {offset[0][i], offset[1][i], offset[2][i]}; }
 };
 

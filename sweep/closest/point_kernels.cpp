@@ -22,44 +22,43 @@ struct OwnCrossings {
   FloatVec along[3][2];
 };
 
-HWY_INLINE OwnCrossings ownCrossings(const PointFrame& frame, int z, IntVec x, IntVec y) {
+HWY_INLINE OwnCrossings ownCrossings(const VectorLevel& level, const PointBatch& batch, std::size_t i) {
   const FloatTag d;
   const IntTag di;
-  const auto zero = hn::Zero(d);
-  const std::ptrdiff_t strideZ = static_cast<std::ptrdiff_t>(frame.size.x) * frame.size.y;
-  const float* plane = frame.level + z * strideZ;
+  const PointFrame& frame = level.frame;
+  const auto x = hn::LoadU(di, batch.x.data() + i), y = hn::LoadU(di, batch.y.data() + i);
+  const auto z = hn::LoadU(di, batch.z.data() + i);
+  const auto one = hn::Set(di, 1), none = hn::Zero(di);
+  const auto valueAt = [&](IntVec atX, IntVec atY, IntVec atZ) {
+    const auto plane = hn::Sub(atZ, hn::Set(di, level.firstPlane));
+    const auto row = hn::Add(hn::Mul(plane, hn::Set(di, frame.size.y)), atY);
+    return hn::GatherIndex(d, level.base, hn::Add(hn::Mul(row, hn::Set(di, frame.size.x)), atX));
+  };
   // Missing neighbours are the sample itself, which it never crosses.
-  const float* planes[2] = {z > 0 ? plane - strideZ : plane, z + 1 < frame.size.z ? plane + strideZ : plane};
-  const auto lastX = hn::Set(di, frame.size.x - 1), lastY = hn::Set(di, frame.size.y - 1);
-  const auto strideY = hn::Set(di, frame.size.x), one = hn::Set(di, 1), none = hn::Zero(di);
-  const auto row = hn::Mul(y, strideY);
-  const auto at = hn::Add(row, x);
-  const auto here = hn::GatherIndex(d, plane, at);
-  const auto inside = hn::VecFromMask(d, hn::Gt(here, zero));
-  const FloatVec there[3][2] = {
-      {hn::GatherIndex(d, plane, hn::Add(row, hn::Max(hn::Sub(x, one), none))),
-       hn::GatherIndex(d, plane, hn::Add(row, hn::Min(hn::Add(x, one), lastX)))},
-      {hn::GatherIndex(d, plane, hn::Add(hn::Mul(hn::Max(hn::Sub(y, one), none), strideY), x)),
-       hn::GatherIndex(d, plane, hn::Add(hn::Mul(hn::Min(hn::Add(y, one), lastY), strideY), x))},
-      {hn::GatherIndex(d, planes[0], at), hn::GatherIndex(d, planes[1], at)}};
+  const auto before = [&](IntVec at) { return hn::Max(hn::Sub(at, one), none); };
+  const auto after = [&](IntVec at, int size) { return hn::Min(hn::Add(at, one), hn::Set(di, size - 1)); };
+  const auto here = valueAt(x, y, z);
+  const auto inside = hn::VecFromMask(d, hn::Gt(here, hn::Zero(d)));
+  const FloatVec there[3][2] = {{valueAt(before(x), y, z), valueAt(after(x, frame.size.x), y, z)},
+                                {valueAt(x, before(y), z), valueAt(x, after(y, frame.size.y), z)},
+                                {valueAt(x, y, before(z)), valueAt(x, y, after(z, frame.size.z))}};
   OwnCrossings crossings;
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side) {
       const FloatVec other = there[axis][side];
-      const auto crossed = hn::MaskFromVec(hn::Xor(inside, hn::VecFromMask(d, hn::Gt(other, zero))));
+      const auto crossed = hn::MaskFromVec(hn::Xor(inside, hn::VecFromMask(d, hn::Gt(other, hn::Zero(d)))));
       const auto along = hn::Mul(hn::Div(here, hn::Sub(here, other)), hn::Set(d, frame.step[axis]));
       crossings.along[axis][side] = hn::IfThenElse(crossed, along, hn::Set(d, kUnsetOffset));
     }
   return crossings;
 }
 
-void crossingStarts(const PointFrame& frame, int z, PointBatch& batch) {
+void crossingStarts(const PointFrame& frame, PointBatch& batch) {
   const FloatTag d;
-  const IntTag di;
   const auto zero = hn::Zero(d);
+  const VectorLevel level(frame, batch);
   for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
-    const OwnCrossings own =
-        ownCrossings(frame, z, hn::LoadU(di, batch.x.data() + i), hn::LoadU(di, batch.y.data() + i));
+    const OwnCrossings own = ownCrossings(level, batch, i);
     // Along each axis the nearer one, signed.
     FloatVec crossing[3], length[3];
     for (int axis = 0; axis < 3; ++axis) {
@@ -83,14 +82,14 @@ void crossingStarts(const PointFrame& frame, int z, PointBatch& batch) {
   }
 }
 
-void sheetsBatch(const PointFrame& frame, int z, PointBatch& batch) {
+void sheetsBatch(const PointFrame& frame, PointBatch& batch) {
   const FloatTag d;
   const IntTag di;
+  const VectorLevel level(frame, batch);
   const hn::Rebind<std::uint8_t, FloatTag> bytes;
   const auto slope = hn::Set(d, static_cast<float>(kSameSheet * kSameSheet));
   for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
-    const OwnCrossings own =
-        ownCrossings(frame, z, hn::LoadU(di, batch.x.data() + i), hn::LoadU(di, batch.y.data() + i));
+    const OwnCrossings own = ownCrossings(level, batch, i);
     const Vec3 o = loadBatch(batch.offset, i);
     const FloatVec component[3] = {o.x, o.y, o.z};
     const auto length = dot(o, o);
@@ -148,14 +147,14 @@ HWY_INLINE Search resume(const PointBatch& batch, std::size_t i) {
           none};
 }
 
-void searchBatch(const PointFrame& frame, int z, bool first, int looks, PointBatch& batch) {
+void searchBatch(const PointFrame& frame, bool first, int looks, PointBatch& batch) {
   const FloatTag d;
   const IntTag di;
   const hn::Rebind<std::uint8_t, FloatTag> bytes;
-  const VectorLevel level(frame, z);
+  const VectorLevel level(frame, batch);
   const auto stateOf = [&](PointState state) { return hn::Set(di, static_cast<std::int32_t>(state)); };
   for (std::size_t i = 0; i < batch.padded(); i += hn::Lanes(d)) {
-    const VectorSamples samples(level, hn::LoadU(di, batch.x.data() + i), hn::LoadU(di, batch.y.data() + i));
+    const VectorSamples samples(level, batch, i);
     Search search = first ? begin(batch, i) : resume(batch, i);
     bool ended = false;
     for (int look = 0; look < looks && !ended; ++look) {
@@ -185,9 +184,9 @@ namespace isolume {
 
 namespace {
 
-// Looks between which the searches that go on are put side by side again, so that they hold up no others: most need two
-// or three.
-constexpr int kLooks[] = {3, 3, 10, 16};
+// Looks between which the searches that go on are put side by side again, so that they hold up no others: most need
+// two.
+constexpr int kLooks[] = {2, 1, 1, 2, 4, 6, 16};
 
 }  // namespace
 
@@ -202,27 +201,26 @@ PointFrame::PointFrame(GridView<const float> view) : level(view.data), size(view
 }
 
 bool PointFrame::fits() const {
-  constexpr std::int64_t kPlanes = 2 * kPointReach + 2;
+  constexpr std::int64_t kPlanes = 2 * kPointReach + kBatchPlanes + 1;
   return static_cast<std::int64_t>(size.x) * size.y * kPlanes <= std::numeric_limits<std::int32_t>::max();
 }
 
-void startAtCrossings(const PointFrame& frame, int z, PointBatch& batch) {
-  HWY_DYNAMIC_DISPATCH(crossingStarts)(frame, z, batch);
+void startAtCrossings(const PointFrame& frame, PointBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(crossingStarts)(frame, batch);
 }
 
-void doubtOtherSheets(const PointFrame& frame, int z, PointBatch& batch) {
-  HWY_DYNAMIC_DISPATCH(sheetsBatch)(frame, z, batch);
-}
+void doubtOtherSheets(const PointFrame& frame, PointBatch& batch) { HWY_DYNAMIC_DISPATCH(sheetsBatch)(frame, batch); }
 
-void searchPoints(const PointFrame& frame, int z, PointBatch& batch) {
+void searchPoints(const PointFrame& frame, PointBatch& batch) {
   // The samples of `batch` that are still searching, and what they were there.
   static thread_local std::vector<std::size_t> origin;
   static thread_local PointBatch part, next;
   PointBatch* now = &batch;
+  part.firstPlane = next.firstPlane = batch.firstPlane;
   origin.clear();
   for (std::size_t phase = 0; phase < std::size(kLooks); ++phase) {
     now->pad();
-    HWY_DYNAMIC_DISPATCH(searchBatch)(frame, z, phase == 0, kLooks[phase], *now);
+    HWY_DYNAMIC_DISPATCH(searchBatch)(frame, phase == 0, kLooks[phase], *now);
     std::size_t left = 0;
     for (std::size_t i = 0; i < now->count; ++i) left += now->state[i] == PointState::searching ? 1 : 0;
     next.resize(left);

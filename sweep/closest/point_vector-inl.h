@@ -56,12 +56,11 @@ struct VectorPoint {
   FloatMask mixed;
 };
 
-// The level, addressed from the first plane within reach of the samples of plane z.
+// The level, addressed from the first plane within reach of the samples of a batch.
 struct VectorLevel {
-  VectorLevel(const PointFrame& frame_, int z_)
+  VectorLevel(const PointFrame& frame_, const PointBatch& batch)
       : frame(frame_),
-        z(z_),
-        firstPlane(std::max(z_ - kPointReach, 0)),
+        firstPlane(std::max(batch.firstPlane - kPointReach, 0)),
         base(frame_.level + firstPlane * (static_cast<std::ptrdiff_t>(frame_.size.x) * frame_.size.y)) {
     const FloatTag d;
     step = {hn::Set(d, frame.step.x), hn::Set(d, frame.step.y), hn::Set(d, frame.step.z)};
@@ -69,16 +68,19 @@ struct VectorLevel {
   }
 
   const PointFrame& frame;
-  int z, firstPlane;
+  int firstPlane;
   const float* base;
   Vec3 step, inverse;
 };
 
 // A vector of samples, and where their points may lie, in samples from them: the grid, cut at kPointReach.
 struct VectorSamples {
-  VectorSamples(const VectorLevel& level, IntVec x_, IntVec y_) : x(x_), y(y_) {
+  VectorSamples(const VectorLevel& level, const PointBatch& batch, std::size_t i) {
     const FloatTag d;
     const IntTag di;
+    x = hn::LoadU(di, batch.x.data() + i);
+    y = hn::LoadU(di, batch.y.data() + i);
+    z = hn::LoadU(di, batch.z.data() + i);
     const auto reach = hn::Set(d, static_cast<float>(kPointReach));
     const auto bound = [&](IntVec at, int size, IntVec& first, IntVec& last, FloatVec& lowest, FloatVec& highest) {
       first = hn::Neg(at);
@@ -89,10 +91,10 @@ struct VectorSamples {
     const glm::ivec3 size = level.frame.size;
     bound(x, size.x, firstX, lastX, low.x, high.x);
     bound(y, size.y, firstY, lastY, low.y, high.y);
-    bound(hn::Set(di, level.z), size.z, firstZ, lastZ, low.z, high.z);
+    bound(z, size.z, firstZ, lastZ, low.z, high.z);
   }
 
-  IntVec x, y;
+  IntVec x, y, z;
   IntVec firstX, firstY, firstZ, lastX, lastY, lastZ;  // cells along each axis
   Vec3 low, high;
 };
@@ -110,7 +112,7 @@ HWY_INLINE VectorPoint pointAt(const VectorLevel& level, const VectorSamples& sa
   const auto tx = hn::Sub(rel.x, hn::ConvertTo(d, cx));
   const auto ty = hn::Sub(rel.y, hn::ConvertTo(d, cy));
   const auto tz = hn::Sub(rel.z, hn::ConvertTo(d, cz));
-  const auto plane = hn::Add(cz, hn::Set(di, level.z - level.firstPlane));
+  const auto plane = hn::Add(cz, hn::Sub(samples.z, hn::Set(di, level.firstPlane)));
   const auto row = hn::Add(hn::Mul(plane, hn::Set(di, frame.size.y)), hn::Add(samples.y, cy));
   const auto at = hn::Add(hn::Mul(row, hn::Set(di, frame.size.x)), hn::Add(samples.x, cx));
   const std::ptrdiff_t nextX = frame.size.x > 1 ? 1 : 0;

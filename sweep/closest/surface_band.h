@@ -13,17 +13,16 @@
 // corners.
 //
 // No step reads what another thread writes, so the result does not depend on the number of threads. Cost: one pass over
-// the level, then O(band). Memory beside the field: 3 bits per voxel, 20 bytes per sample of the newest layer.
+// the level, then O(band). Memory beside the field: 3 bits per voxel.
 #pragma once
 
-#include "sweep/bit_grid.h"
 #include "offset_field.h"
+#include "sweep/bit_grid.h"
 
 namespace isolume {
 
 /// Points for the corners of cells that hold surface, for caps, and for that many layers around them (>= 0). Returns
-/// which samples those are: none if there is no surface. First components of all others are unset, the rest is not
-/// written.
+/// which samples those are: none if there is no surface. All others are not written.
 BitGrid solveBand(GridView<const float> level, int layers, OffsetField& field);
 
 }  // namespace isolume

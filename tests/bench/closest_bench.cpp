@@ -1,4 +1,5 @@
-// Time and error of the closest-point distance, in one run with the first-order sweep without visibility.
+// Time and error of the closest-point distance, in one run with the first-order sweep without visibility, each over the
+// whole domain and in the band, on one thread and on two.
 //
 // Held fixed: ball of radius .31 n, torus of radii .27 n and .11 n (tilted), and the scene "gyroid", whose surface is
 // near most of the grid; one round of passes. Arguments: n, threads, and for the closest points bandVoxels. Items =
@@ -60,7 +61,7 @@ void reportError(benchmark::State& state, const Distance& exact, const Grid<floa
   state.counters["near_max_error"] = nearLargest;
 }
 
-enum class Way { sweep, full, band };
+enum class Way { sweep, sweepBand, full, band };
 
 // `exact` may be empty: no errors then.
 void run(benchmark::State& state, const Grid<float>& level, const Distance& exact, Way way) {
@@ -68,16 +69,16 @@ void run(benchmark::State& state, const Grid<float>& level, const Distance& exac
   Grid<float> distance;
   for (auto _ : state) {
     distance = {};
-    if (way == Way::sweep) {
-      distance = sweepOcclusion(level.view(), {.visibility = VisibilityStorage::none}).distance;
+    const auto extent = way == Way::full || way == Way::sweep ? DistanceExtent::full : DistanceExtent::band;
+    if (way == Way::sweep || way == Way::sweepBand) {
+      distance = sweepOcclusion(level.view(), {.visibility = VisibilityStorage::none, .extent = extent}).distance;
     } else {
-      const auto extent = way == Way::full ? DistanceExtent::full : DistanceExtent::band;
       distance = closestDistance(level.view(), {.extent = extent, .bandVoxels = static_cast<int>(state.range(2))});
     }
     benchmark::DoNotOptimize(distance.data());
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(level.count()));
-  if (exact && way != Way::band) reportError(state, exact, distance);
+  if (exact && (way == Way::sweep || way == Way::full)) reportError(state, exact, distance);
   setThreadCount(0);
 }
 
@@ -121,9 +122,13 @@ void sweepArguments(benchmark::internal::Benchmark* b) {
 BENCHMARK(ofBall<Way::sweep>)->Apply(sweepArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(ofBall<Way::full>)->Apply(moreArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(ofBall<Way::band>)->Apply(moreArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofBall<Way::sweepBand>)->Apply(sweepArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofTorus<Way::sweep>)->Apply(sweepArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofTorus<Way::sweepBand>)->Apply(sweepArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(ofTorus<Way::full>)->Apply(closestArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(ofTorus<Way::band>)->Apply(closestArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(ofGyroid<Way::sweep>)->Apply(sweepArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(ofGyroid<Way::sweepBand>)->Apply(sweepArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(ofGyroid<Way::full>)->Apply(closestArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(ofGyroid<Way::band>)->Apply(closestArguments)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -207,9 +207,10 @@ TEST(ClosestDistance, HasTheSignOfTheLevelAndThreeBounds) {
 }
 
 TEST(ClosestDistance, OfMirroredAndPermutedGridsIsThatOfTheOriginal) {
-  // Mirrored or permuted axes give the same distance. Not the same bits: candidates come in another order, and steps 2
-  // and 3 treat y and x differently. In the band to what Newton's steps leave at creases between cells (here a ring of
-  // only 5 voxels' radius: a hundredth measured), beyond to the error of the passes (a tenth).
+  // Mirrored or permuted axes give the same distance, though not the same bits: the interpolant rounds otherwise in a
+  // mirrored cell, and the passes take y and x in their order. In the band nearly all samples agree to what ends a
+  // search (1e-5); at creases between cells (here a ring of only 5 voxels' radius) a search may end in another cell, a
+  // hundredth measured. Beyond, nine in ten agree to a hundredth and all to the error of the passes, a tenth.
   const int n = 48;
   const glm::ivec3 size(n);
   const Field shape = torus(n);
@@ -223,12 +224,20 @@ TEST(ClosestDistance, OfMirroredAndPermutedGridsIsThatOfTheOriginal) {
       other.view()(q.x, q.y, q.z) = level.view()(p.x, p.y, p.z);
     }
     const Grid<float> distance = closestDistance(other.view());
+    std::size_t band = 0, bandOff = 0, far = 0, farOff = 0;
     for (int i = 0; i < static_cast<int>(level.count()); ++i) {
       const glm::ivec3 q(i % n, i / n % n, i / (n * n));
       const glm::ivec3 p = map(q);
       const double want = original.view()(p.x, p.y, p.z);
-      ASSERT_NEAR(distance.view()(q.x, q.y, q.z), want, std::abs(want) < 1 ? .02 : .1);
+      const double off = std::abs(distance.view()(q.x, q.y, q.z) - want);
+      const bool inBand = std::abs(want) < 4;
+      ASSERT_LE(off, std::abs(want) < 1 ? .02 : .1);
+      (inBand ? band : far) += 1;
+      bandOff += inBand && off > 2e-5 ? 1 : 0;
+      farOff += !inBand && off > .01 ? 1 : 0;
     }
+    EXPECT_LT(bandOff * 50, band) << bandOff << " of " << band;
+    EXPECT_LT(farOff * 10, far) << farOff << " of " << far;
   };
   mapped([=](glm::ivec3 p) { return glm::ivec3(n - 1 - p.x, p.y, p.z); });
   mapped([=](glm::ivec3 p) { return glm::ivec3(p.x, n - 1 - p.y, p.z); });

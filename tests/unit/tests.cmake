@@ -1,8 +1,10 @@
 isolume_test(test_sweep
+  unit/bit_grid_test.cpp
   unit/octants_test.cpp
   unit/level_test.cpp
   unit/geometry_terms_test.cpp
   unit/start_test.cpp
+  unit/distance_peak_test.cpp
   unit/distance_test.cpp
   unit/fixed_point_test.cpp
   unit/band_test.cpp
@@ -20,6 +22,7 @@ isolume_test(test_closest
   unit/closest_pass_test.cpp
   unit/closest_degenerate_test.cpp
   unit/closest_extent_test.cpp
+  unit/closest_memory_test.cpp
   unit/closest_points_test.cpp
   unit/closest_property_test.cpp
   support/plain_closest.cpp

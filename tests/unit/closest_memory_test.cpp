@@ -1,0 +1,83 @@
+// How much memory the closest-point solver holds at its peak.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <string>
+
+#include "support/test_levels.h"
+#include "sweep/closest/closest_distance.h"
+#include "sweep/parallel.h"
+
+namespace isolume {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
+// A line of /proc/self/status in bytes, 0 if there is none.
+std::size_t statusBytes(const std::string& name) {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (word == name + ":") {
+      std::size_t kilobytes = 0;
+      status >> kilobytes;
+      return kilobytes * 1024;
+    }
+  return 0;
+}
+
+// Makes the peak of the resident memory what is resident now; false where that cannot be done.
+bool resetPeak() {
+  std::ofstream("/proc/self/clear_refs") << "5";
+  const std::size_t now = statusBytes("VmRSS"), peak = statusBytes("VmHWM");
+  constexpr std::size_t kSlack = 1 << 20;  // the two are counted a little apart
+  return now != 0 && peak <= now + kSlack;
+}
+
+// Bytes per voxel that the distance takes at its peak, with itself and without the level.
+double peakPerVoxel(GridView<const float> level) {
+  setThreadCount(2);
+  closestDistance(level);  // buffers of threads stay
+  const bool reset = resetPeak();
+  EXPECT_TRUE(reset);
+  const std::size_t before = statusBytes("VmRSS");
+  const Grid<float> distance = closestDistance(level);
+  const std::size_t peak = statusBytes("VmHWM");
+  setThreadCount(0);
+  return static_cast<double>(peak - before) / static_cast<double>(level.count());
+}
+
+class ClosestMemory : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (kSanitized) GTEST_SKIP() << "a sanitizer keeps freed memory";
+    if (!resetPeak()) GTEST_SKIP() << "the peak of resident memory cannot be reset here";
+  }
+};
+
+constexpr int kSize = 192;
+
+TEST_F(ClosestMemory, OfABallIsBelowTwelveBytesPerVoxel) {
+  // Twelve bytes are three components everywhere; where no plane below the ball has a point yet, a third of them.
+  const Grid<float> ball = test::ballLevel(kSize, .31 * kSize, glm::dvec3(.5 * kSize));
+  const double peak = peakPerVoxel(ball.view());
+  EXPECT_LT(peak, 11.7);
+  EXPECT_GT(peak, 4.0) << "is anything measured?";
+}
+
+TEST_F(ClosestMemory, OfASurfaceThroughTheWholeGridIsTwelveBytesAndAFewBits) {
+  // Waves that reach the lowest plane: twelve bytes, three bits while the band is made, one in the passes, and planes
+  // of scratch (27 floats per sample of a plane, .56 byte per voxel at this size).
+  const Grid<float> waves = test::sampleLevel(glm::ivec3(kSize), glm::dvec3(1), [](glm::dvec3 p) {
+    return std::sin(.2 * p.x) + std::sin(.21 * p.y) + std::cos(.19 * p.z);
+  });
+  EXPECT_LT(peakPerVoxel(waves.view()), 12 + 3.0 / 8 + .56);
+}
+
+}  // namespace
+}  // namespace isolume
