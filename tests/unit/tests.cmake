@@ -9,8 +9,10 @@ isolume_test(test_sweep
   unit/rotated_shadow_test.cpp
   unit/visibility_test.cpp
   unit/combined_visibility_test.cpp
+  unit/fixed_light_test.cpp
   unit/layout_test.cpp
   unit/large_index_test.cpp
+  support/plain_light.cpp
   support/plain_start.cpp
   support/plain_sweep.cpp
   support/random_grids.cpp
