@@ -128,12 +128,9 @@ class Walk {
       const int z = planeOf(layerOrder, p);
       std::int16_t* rows =
           layer.transmittance.get() + static_cast<std::size_t>(p) * planeRows() + shape_.lanes * stride_;
-      for (int y = 0; y < size_.y; ++y) {
-        if (z < size_.z)
-          transmittanceRow(&distance(0, y, z), size_.x, perSmallest, request_.opacity, rows + y * stride_);
-        else
-          std::fill_n(rows + y * stride_, stride_, kClear);
-      }
+      // Planes beyond the grid come first on the way down, clear as the layer is made, and last on the way up.
+      for (int y = 0; z < size_.z && y < size_.y; ++y)
+        transmittanceRow(&distance(0, y, z), size_.x, perSmallest, request_.opacity, rows + y * stride_);
       for (std::size_t k = 0; k < kDiagonals; ++k)
         for (int c = 0; c < columns_; ++c)
           shearRows(rows + static_cast<std::ptrdiff_t>(c) * shape_.lanes, stride_, shape_, k == kRising,

@@ -11,6 +11,7 @@ isolume_test(test_sweep
   unit/combined_visibility_test.cpp
   unit/fixed_light_test.cpp
   unit/layout_test.cpp
+  unit/open_plane_test.cpp
   unit/large_index_test.cpp
   support/plain_light.cpp
   support/plain_start.cpp
