@@ -7,6 +7,7 @@ isolume_test(test_sweep
   unit/fixed_point_test.cpp
   unit/band_test.cpp
   unit/rotated_shadow_test.cpp
+  unit/transport_test.cpp
   unit/visibility_test.cpp
   unit/combined_visibility_test.cpp
   unit/fixed_light_test.cpp
