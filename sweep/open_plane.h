@@ -32,7 +32,7 @@ double openPlaneOpenness(glm::dvec3 normal, glm::dvec3 spacing, double offset);
 inline constexpr int kOpenPlaneSize = 17;
 struct OpenPlaneTable {
   std::vector<float> openness;  ///< [row][column], (|N.x|, |N.y|) = (column, row) / (size - 1) * sqrt(1 + |N.z|)
-  /// Bilinear.
+  /// Bilinear: within .01.
   double at(glm::dvec3 normal) const;
 };
 OpenPlaneTable makeOpenPlaneTable(glm::dvec3 spacing, double offset);
