@@ -134,8 +134,10 @@ struct Renderer::Impl {
   GlBuffer lightBuffer = GlBuffer::create();
   GlBuffer octantBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
-  std::array<std::array<GlTexture, 2>, 2> geometryTerms;  // by term, each made when it is first needed
-  std::size_t builtSuns = 0;                              // that the program of light fields knows
+  std::array<std::array<GlTexture, 2>, 2> termTables;  // by term, each made when it is first needed
+  std::array<GlTexture, 2> openPlaneTerms;             // of the scene, for this offset
+  float openPlaneOffset = 0;
+  std::size_t builtSuns = 0;  // that the program of light fields knows
   SceneTextures scene;
   Framebuffer framebuffer;
   BeamPass beams;
@@ -164,8 +166,18 @@ struct Renderer::Impl {
     return built;
   }
 
+  const std::array<GlTexture, 2>& geometryTerms(const RenderSettings& settings) {
+    if (!settings.openPlaneTerms) return geometryTerm(settings.geometryTerm);
+    if (!openPlaneTerms[0] || openPlaneOffset != settings.occlusionOffsetVoxels) {
+      const OpenPlaneTable table = makeOpenPlaneTable(scene.frame.spacing, settings.occlusionOffsetVoxels);
+      openPlaneTerms = uploadGeometryTerms(settings.geometryTerm, &table);
+      openPlaneOffset = settings.occlusionOffsetVoxels;
+    }
+    return openPlaneTerms;
+  }
+
   const std::array<GlTexture, 2>& geometryTerm(GeometryTerm term) {
-    std::array<GlTexture, 2>& tables = geometryTerms[static_cast<std::size_t>(term)];
+    std::array<GlTexture, 2>& tables = termTables[static_cast<std::size_t>(term)];
     if (!tables[0]) tables = uploadGeometryTerms(term);
     return tables;
   }
@@ -176,7 +188,7 @@ struct Renderer::Impl {
     glBindBufferBase(GL_UNIFORM_BUFFER, 2, octantBuffer.name());
     GLuint unit = kSwept0Unit;
     for (const GlTexture& texture : scene.octants) glBindTextureUnit(unit++, texture.name());
-    for (const GlTexture& texture : geometryTerm(settings.geometryTerm)) glBindTextureUnit(unit++, texture.name());
+    for (const GlTexture& texture : geometryTerms(settings)) glBindTextureUnit(unit++, texture.name());
     assert(unit <= kBeamUnit);
   }
 
@@ -281,6 +293,7 @@ void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
   if (impl_->screen) impl_->screen->forgetScene();
   impl_->scene = uploadScene(fields);
+  impl_->openPlaneTerms = {};
   impl_->programs[static_cast<std::size_t>(Shading::lights)] = {};  // it knows how many they are
   if (colored != static_cast<bool>(impl_->scene.colors)) {
     impl_->programs = {};

@@ -50,6 +50,9 @@ struct RenderSettings {
   NormalSource normals = NormalSource::data;
   float occlusionOffsetVoxels =
       0;  ///< octants are read that far above the hit along the normal, index space; 0 is [Singh10]
+  /// Octants: G_s divided by what the eight give on an open plane, read at that offset (sweep/open_plane.h). For
+  /// `front` terms of an opaque solid.
+  bool openPlaneTerms = false;
   /// I_s, linear, finite, >= 0, by octant of sweep/octants.h (grid axes). The four with towardsLight().z > 0 alone are
   /// a cloudy day ([Singh10] Fig. 7). They and the geometry term change at the cost of a frame.
   std::array<glm::vec3, kOctantCount> octantLight = kWhiteOctants;

@@ -78,8 +78,9 @@ SceneTextures uploadScene(const SceneFields& fields) {
   return scene;
 }
 
-std::array<GlTexture, 2> uploadGeometryTerms(GeometryTerm term) {
-  const GeometryTermTables tables = makeGeometryTermTables(kGeometryTableSize, term);
+std::array<GlTexture, 2> uploadGeometryTerms(GeometryTerm term, const OpenPlaneTable* openPlane) {
+  GeometryTermTables tables = makeGeometryTermTables(kGeometryTableSize, term);
+  if (openPlane != nullptr) divideByOpenPlane(tables, *openPlane);
   std::array<GlTexture, 2> textures;
   for (std::size_t i = 0; i < textures.size(); ++i) {
     textures[i] =

@@ -3,46 +3,93 @@
 #include <algorithm>
 
 #include "light_tile.h"
-#include "tile_io.h"
+#include "parallel.h"
 
 namespace isolume {
+namespace {
+
+constexpr int kOctantsOfWalk = kOctantCount / 2;
+
+}  // namespace
 
 LightSweeper::LightSweeper(GridView<const float> distance, float opacity)
-    : distance_(distance), metric_(makeSweepMetric(distance.spacing, opacity)), tiles_(makeTileGrid(distance.size)) {
-  for (auto& blocks : blocks_) blocks = makeBlockBuffers(tiles_, true);
+    : distance_(distance), metric_(makeSweepMetric(distance.spacing, opacity)), tiles_(makeTileGrid(distance.size)) {}
+
+LightSweeper::Walk LightSweeper::makeWalk(int firstOctant, OctantSet wanted) const {
+  const std::size_t tile = tileFloats(tiles_.size.x, tiles_.lanes);
+  const std::size_t rows = rowFloats(tiles_.size.x, tiles_.lanes);
+  Walk walk;
+  walk.firstOctant = firstOctant;
+  walk.layers.resize(static_cast<std::size_t>(std::clamp(threadCount() / 2, 1, tiles_.layers)));
+  for (LayerBuffers& layer : walk.layers) {
+    layer.distance = makeFilled(tile, kOutsideDistance);
+    layer.visibility = makeFilled(tile, 1);
+    for (auto& row : layer.row) row = makeFilled(rows, 1);
+  }
+  for (std::size_t k = 0; k < walk.carried.size(); ++k)
+    for (int block = 0; wanted[static_cast<std::size_t>(firstOctant) + k] && block < tiles_.blocks; ++block)
+      walk.carried[k].push_back(makeFilled(tile / kTilePlanes, 1));
+  return walk;
 }
 
-void LightSweeper::sweepPair(int pair, std::array<VisibilityTarget, 2> targets) {
-  const int nx = tiles_.size.x;
-  const TileSpan whole{0, nx};
-  const auto smallest = static_cast<float>(smallestSpacing(distance_.spacing));
-  const Handover outside(rowFloats(nx, tiles_.lanes));
-  for (auto& blocks : blocks_)
-    for (BlockBuffers& block : blocks) block.carried.reset();
-  const auto firstOctant = static_cast<std::size_t>(2 * pair);
+void LightSweeper::sweepTile(Walk& walk, LayerBuffers& layer, const Tile& tile, std::size_t octantOfWalk, int visit,
+                             const std::function<void(const LitTile&)>& store) const {
+  const int octantIndex = walk.firstOctant + static_cast<int>(octantOfWalk);
+  const Octant& octant = kOctants[static_cast<std::size_t>(octantIndex)];
+  LargeArray<float>& row = layer.row[octantOfWalk];
+  if (tile.blockOrder == 0) std::fill_n(row.get(), rowFloats(tiles_.size.x, tiles_.lanes), 1.0F);
+  LightBuffers buffers;
+  buffers.distance = layer.distance.get();
+  buffers.visibility = layer.visibility.get();
+  buffers.carriedLight = walk.carried[octantOfWalk][static_cast<std::size_t>(tile.block)].get();
+  buffers.rowLight = row.get();
+  buffers.lastRowLight = row.get();
+  const LitTile lit{octantIndex, visit, walkOctant(tiles_.size, octant), tiles_.origin(tile, octant),
+                    buffers.visibility};
+  loadTile(lit.walk, lit.origin, {0, tiles_.size.x}, distance_.data, layer.distance.get());
+  sweepLightTile(buffers, metric_, static_cast<float>(smallestSpacing(distance_.spacing)), tiles_.size.x);
+  store(lit);
+}
 
-  sweepWavefront(tiles_, kOctants[firstOctant], [&](const Tile& tile) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      const VisibilityTarget& target = targets[k];
-      if (!target.wanted()) continue;
-      const Octant& octant = kOctants[firstOctant + k];
-      const OctantWalk walk = walkOctant(tiles_.size, octant);
-      const TileOrigin origin = tiles_.origin(tile, octant);
-      const auto order = static_cast<std::size_t>(tile.blockOrder);
-      const int parity = tile.layerOrder % 2;
-      BlockBuffers& block = blocks_[k][order];
-      LightBuffers buffers;
-      buffers.distance = block.distance.get();
-      buffers.visibility = block.visibility.get();
-      buffers.carriedLight = block.carried.light.get();
-      buffers.rowLight = (order > 0 ? blocks_[k][order - 1].lastRow[parity] : outside).light.get();
-      buffers.lastRowLight = block.lastRow[parity].light.get();
-      loadTile(walk, origin, whole, distance_.data, block.distance.get());
-      sweepLightTile(buffers, metric_, smallest, nx);
-      if (target.as8 != nullptr) storeTile(walk, origin, whole, buffers.visibility, target.as8);
-      if (target.asFloat != nullptr) storeTile(walk, origin, whole, buffers.visibility, target.asFloat);
+void LightSweeper::sweepLayers(Walk& walk, int first, int last, OctantSet wanted, int visit,
+                               const std::function<void(const LitTile&)>& store) const {
+  const bool up = kOctants[static_cast<std::size_t>(walk.firstOctant)].sweep.z > 0;
+  // Blocks in y up and down again.
+  const int turns = 2 * tiles_.blocks;
+  const auto sweepTurn = [&](int layerOrder, LayerBuffers& layer, int turn) {
+    const bool back = turn >= tiles_.blocks;
+    Tile tile;
+    tile.block = back ? turns - 1 - turn : turn;
+    tile.blockOrder = back ? turn - tiles_.blocks : turn;
+    tile.layer = up ? layerOrder : tiles_.layers - 1 - layerOrder;
+    tile.layerOrder = layerOrder;
+    for (std::size_t k = back ? 2 : 0; k < (back ? 4U : 2U); ++k)
+      if (wanted[static_cast<std::size_t>(walk.firstOctant) + k])
+        sweepTile(walk, layer, tile, k, visit + static_cast<int>(k), store);
+  };
+  const int atOnce = static_cast<int>(walk.layers.size());
+  for (int from = first; from < last; from += atOnce) {
+    const int count = std::min(atOnce, last - from);
+    for (int diagonal = 0; diagonal < turns + count - 1; ++diagonal) {
+      const int begin = std::max(0, diagonal - turns + 1), end = std::min(diagonal + 1, count);
+      parallelFor(static_cast<std::size_t>(end - begin), [&](std::size_t i) {
+        const int layer = begin + static_cast<int>(i);
+        sweepTurn(from + layer, walk.layers[static_cast<std::size_t>(layer)], diagonal - layer);
+      });
     }
-  });
+  }
+}
+
+void LightSweeper::sweep(OctantSet wanted, const std::function<void(const LitTile&)>& store) {
+  std::array<Walk, 2> walks{makeWalk(0, wanted), makeWalk(kOctantsOfWalk, wanted)};
+  const int half = tiles_.layers / 2;
+  // A layer is the k-th of the one walk and the last but k of the other.
+  const std::array<std::array<int, 3>, 2> bounds{{{0, half, tiles_.layers}, {0, tiles_.layers - half, tiles_.layers}}};
+  for (std::size_t part = 0; part < 2; ++part)
+    parallelFor(walks.size(), [&](std::size_t w) {
+      sweepLayers(walks[w], bounds[w][part], bounds[w][part + 1], wanted, static_cast<int>(part) * kOctantsOfWalk,
+                  store);
+    });
 }
 
 }  // namespace isolume

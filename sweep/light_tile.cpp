@@ -37,6 +37,13 @@ void sweepLightTileOnTarget(const LightBuffers& buffers, const SweepMetric& metr
   const std::ptrdiff_t origin = static_cast<std::ptrdiff_t>(frontPad()) * lanes;
   const std::ptrdiff_t rowOrigin = rowFrontPad(lanes);
 
+  const float* HWY_RESTRICT distances = buffers.distance + origin;
+  float* HWY_RESTRICT visibilities = buffers.visibility + origin;
+  float* HWY_RESTRICT carried = buffers.carriedLight + origin;
+  // Read and written: a row may take the place of the one below.
+  const float* rowLight = buffers.rowLight + rowOrigin;
+  float* lastRowLight = buffers.lastRowLight + rowOrigin - 2 * (lanes - 1);
+
   FloatVec previous[kTilePlanes];
   for (FloatVec& light : previous) light = hn::Set(d, 1.0F);
 
@@ -46,19 +53,18 @@ void sweepLightTileOnTarget(const LightBuffers& buffers, const SweepMetric& metr
     HWY_UNROLL(4)
     for (int p = kTilePlanes - 1; p >= 0; --p) {
       const std::ptrdiff_t t = u - p;
-      const std::ptrdiff_t at = origin + t * lanes;
-      const std::ptrdiff_t atRow = p * rowStride + rowOrigin + t;
-      const auto below = p == 0 ? hn::Load(d, buffers.carriedLight + at) : previous[p == 0 ? 0 : p - 1];
-      const auto beside =
-          hn::IfThenElse(lane0, hn::Set(d, buffers.rowLight[atRow]), hn::TableLookupLanes(previous[p], up));
+      const std::ptrdiff_t at = t * lanes;
+      const std::ptrdiff_t atRow = p * rowStride + t;
+      const auto below = p == 0 ? hn::Load(d, carried + at) : previous[p == 0 ? 0 : p - 1];
+      const auto beside = hn::IfThenElse(lane0, hn::Set(d, rowLight[atRow]), hn::TableLookupLanes(previous[p], up));
       const auto visibility = arrivingLight(weights, previous[p], beside, below);
-      const auto distance = hn::Load(d, buffers.distance + p * planeStride + at);
+      const auto distance = hn::Load(d, distances + p * planeStride + at);
       const auto leaving = hn::Mul(visibility, transmittance(solid, fixedDistance(distance, perSmallest)));
       previous[p] = leaving;
-      hn::Store(visibility, d, buffers.visibility + p * planeStride + at);
+      hn::Store(visibility, d, visibilities + p * planeStride + at);
       // The last lane is lanes - 1 voxels behind; a masked store puts it where its x is.
-      hn::BlendedStore(leaving, lastLane, d, buffers.lastRowLight + atRow - 2 * (lanes - 1));
-      if (p == kTilePlanes - 1) hn::Store(leaving, d, buffers.carriedLight + at);
+      hn::BlendedStore(leaving, lastLane, d, lastRowLight + atRow);
+      if (p == kTilePlanes - 1) hn::Store(leaving, d, carried + at);
     }
   }
 }

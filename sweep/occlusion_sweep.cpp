@@ -4,10 +4,12 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "band_cells.h"
 #include "closest/closest_distance.h"
 #include "distance_sweeper.h"
+#include "fixed_light_sweeper.h"
 #include "light_sweeper.h"
 #include "parallel.h"
 #include "surface_start.h"
@@ -22,22 +24,6 @@ void finishRow(float* row, int count, float smallestSpacing) {
     const float world = value * smallestSpacing;
     row[x] = std::abs(value) < kUnsetDistance ? world : std::copysign(std::numeric_limits<float>::infinity(), value);
   }
-}
-
-// Interleaves four byte planes to one RGBA8 grid and frees them.
-Grid<glm::u8vec4> interleave(std::array<Grid<std::uint8_t>, 4>& channels, GridView<const float> like) {
-  Grid<glm::u8vec4> packed(like.size, like.spacing, like.origin);
-  const std::size_t perPlane = voxelCount({like.size.x, like.size.y, 1});
-  parallelFor(static_cast<std::size_t>(like.size.z), [&](std::size_t z) {
-    const std::uint8_t* r = channels[0].data() + z * perPlane;
-    const std::uint8_t* g = channels[1].data() + z * perPlane;
-    const std::uint8_t* b = channels[2].data() + z * perPlane;
-    const std::uint8_t* a = channels[3].data() + z * perPlane;
-    glm::u8vec4* out = packed.data() + z * perPlane;
-    for (std::size_t i = 0; i < perPlane; ++i) out[i] = glm::u8vec4(r[i], g[i], b[i], a[i]);
-  });
-  for (Grid<std::uint8_t>& channel : channels) channel = {};
-  return packed;
 }
 
 // I_s / sum I.
@@ -55,96 +41,28 @@ OctantIntensities sharesOf(const OctantIntensities& intensities) {
 
 constexpr int kOctantPairs = kOctantCount / 2;
 
-// The octants of a storage while they are swept, two at a time.
-class OctantWriter {
- public:
-  OctantWriter(GridView<const float> like, VisibilityStorage storage, const OctantIntensities& intensities)
-      : like_(like), storage_(storage), shares_(sharesOf(intensities)) {
-    if (storage != VisibilityStorage::combined) return;
-    for (Grid<float>* grid : {&pair_[0], &pair_[1], &sum_}) *grid = Grid<float>(like.size);
-  }
-
-  std::array<VisibilityTarget, 2> targets(int pair) {
-    std::array<VisibilityTarget, 2> targets;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const std::size_t s = 2 * static_cast<std::size_t>(pair) + k;
-      if (storage_ == VisibilityStorage::rgba8) {
-        channels_[s % 4] = Grid<std::uint8_t>(like_.size);
-        targets[k].as8 = channels_[s % 4].data();
-      } else if (storage_ == VisibilityStorage::float32) {
-        visibility_.octants[s] = Grid<float>(like_.size, like_.spacing, like_.origin);
-        targets[k].asFloat = visibility_.octants[s].data();
-      } else if (storage_ == VisibilityStorage::combined) {
-        targets[k].asFloat = pair_[k].data();
-      }
-    }
-    return targets;
-  }
-  /// After the pair has been swept.
-  void finish(int pair) {
-    const bool gridIsComplete = pair % 2 == 1;
-    if (storage_ == VisibilityStorage::rgba8 && gridIsComplete)
-      visibility_.packed[static_cast<std::size_t>(pair) / 2] = interleave(channels_, like_);
-    if (storage_ == VisibilityStorage::combined) addPair(pair);
-  }
-  OctantVisibility take() { return std::move(visibility_); }
-
- private:
-  // After the last pair the sum is rounded and all that it took is freed.
-  void addPair(int pair) {
-    const bool first = pair == 0, last = pair == kOctantPairs - 1;
-    if (last) visibility_.combined = Grid<std::uint16_t>(like_.size, like_.spacing, like_.origin);
-    const float share0 = shares_[static_cast<std::size_t>(2 * pair)];
-    const float share1 = shares_[static_cast<std::size_t>(2 * pair + 1)];
-    const std::size_t perPlane = voxelCount({like_.size.x, like_.size.y, 1});
-    parallelFor(static_cast<std::size_t>(like_.size.z), [&](std::size_t z) {
-      for (std::size_t i = z * perPlane; i < (z + 1) * perPlane; ++i) {
-        const float both = share0 * pair_[0].data()[i] + share1 * pair_[1].data()[i];
-        const float sum = first ? both : sum_.data()[i] + both;
-        if (last)
-          visibility_.combined.data()[i] = static_cast<std::uint16_t>(std::nearbyint(65535 * std::min(sum, 1.0F)));
-        else
-          sum_.data()[i] = sum;
-      }
-    });
-    if (last) pair_ = {}, sum_ = {};
-  }
-
-  GridView<const float> like_;
-  VisibilityStorage storage_;
-  OctantIntensities shares_;
-  OctantVisibility visibility_;
-  std::array<Grid<std::uint8_t>, 4> channels_;
-  std::array<Grid<float>, 2> pair_;
-  Grid<float> sum_;
-};
-
 // Start values are made as the first sweep comes to a tile, and world units as the last leaves it.
-SweptFields sweepWholeDomain(GridView<const float> level, const SweepOptions& options) {
-  SweptFields fields;
-  fields.distance = Grid<float>(level.size, level.spacing, level.origin);
-  const GridView<float> distance = fields.distance.view();
+Grid<float> sweepWholeDomain(GridView<const float> level, const SweepOptions& options) {
+  Grid<float> grid(level.size, level.spacing, level.origin);
+  const GridView<float> distance = grid.view();
   const auto smallest = static_cast<float>(smallestSpacing(level.spacing));
   const auto rowOf = [&](int y, int z) { return distance.data + z * distance.strideZ() + y * distance.strideY(); };
   const RowHook start = [&](int y, int z) { startRow(level, options.start, kUnsetDistance, y, z, rowOf(y, z)); };
   const RowHook finish = [&](int y, int z) { finishRow(rowOf(y, z), level.size.x, smallest); };
   const bool once = options.rounds == 1;
 
-  DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing, options.opacity));
-  OctantWriter octants(distance, options.visibility, options.intensities);
+  DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing));
   for (int pair = 0; pair < kOctantPairs; ++pair) {
     const bool last = pair == kOctantPairs - 1;
-    sweeper.sweepPair(pair, octants.targets(pair), pair == 0 ? start : RowHook(), last && once ? finish : RowHook());
-    octants.finish(pair);
+    sweeper.sweepPair(pair, {}, pair == 0 ? start : RowHook(), last && once ? finish : RowHook());
   }
-  fields.visibility = octants.take();
-  if (once) return fields;
+  if (once) return grid;
   for (int round = 1; round < options.rounds; ++round)
     if (!sweeper.sweepRound()) break;
   parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t z) {
     for (int y = 0; y < level.size.y; ++y) finish(y, static_cast<int>(z));
   });
-  return fields;
+  return grid;
 }
 
 // Values start at the bound in place of unset: what they come to below it is the same (upwind_update-inl.h).
@@ -188,24 +106,33 @@ Grid<float> sweepBand(GridView<const float> level, const SweepOptions& options) 
 
 OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStorage storage, float opacity,
                                  const OctantIntensities& intensities) {
-  LightSweeper sweeper(distance, opacity);
-  OctantWriter octants(distance, storage, intensities);
-  for (int pair = 0; pair < kOctantPairs; ++pair) {
-    sweeper.sweepPair(pair, octants.targets(pair));
-    octants.finish(pair);
+  OctantVisibility visibility;
+  if (storage == VisibilityStorage::rgba8) {
+    for (auto& grid : visibility.packed) grid = Grid<glm::u8vec4>(distance.size, distance.spacing, distance.origin);
+    sweepOctantBytes(distance, opacity, {visibility.packed[0].data(), visibility.packed[1].data()});
+  } else if (storage == VisibilityStorage::combined) {
+    visibility.combined = Grid<std::uint16_t>(distance.size, distance.spacing, distance.origin);
+    sweepOctantMean(distance, opacity, sharesOf(intensities), visibility.combined.data());
+  } else if (storage == VisibilityStorage::float32) {
+    for (auto& grid : visibility.octants) grid = Grid<float>(distance.size, distance.spacing, distance.origin);
+    LightSweeper(distance, opacity).sweep(OctantSet().set(), [&](const LitTile& tile) {
+      Grid<float>& grid = visibility.octants[static_cast<std::size_t>(tile.octant)];
+      storeTile(tile.walk, tile.origin, {0, distance.size.x}, tile.visibility, grid.data());
+    });
   }
-  return octants.take();
+  return visibility;
 }
 
 SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options) {
-  if (sweptTogether(options)) return sweepWholeDomain(level, options);
   SweptFields fields;
-  fields.distance = options.solver == DistanceSolver::closest
-                        ? closestDistance(level, {.extent = options.extent, .bandVoxels = options.bandVoxels})
-                        : sweepBand(level, options);
-  if (options.visibility != VisibilityStorage::none)
-    fields.visibility =
-        sweepVisibility(fields.distance.view(), options.visibility, options.opacity, options.intensities);
+  if (options.solver == DistanceSolver::closest)
+    fields.distance = closestDistance(level, {.extent = options.extent, .bandVoxels = options.bandVoxels});
+  else if (options.extent == DistanceExtent::band)
+    fields.distance = sweepBand(level, options);
+  else
+    fields.distance = sweepWholeDomain(level, options);
+  fields.visibility =
+      sweepVisibility(std::as_const(fields.distance).view(), options.visibility, options.opacity, options.intensities);
   return fields;
 }
 

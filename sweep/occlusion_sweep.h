@@ -1,4 +1,4 @@
-// Signed distance by fast sweeping with the eight-octant visibility sweep in the same pass.
+// Signed distance by fast sweeping, and the visibility of eight octants swept through it.
 //
 // Distance: solves |grad D| = 1 with D = 0 on the surface by one Gauss-Seidel sweep per octant ([Singh10] Sec. 1.1,
 // Table 1; [Zhao05]), D < 0 inside the solid, in world units, at voxel centres. Any spacing. Samples next to the
@@ -28,9 +28,15 @@
 // the three neighbours weigh 1/h_i, which keeps the paper's direction (1, 1, 1) in world space; at equal spacings the
 // weights are the paper's 1/3.
 //
-// Cost: O(n) per sweep, eight sweeps. Memory per voxel: distance 4 B; octants rgba8 8 B (12 B while sweeping),
-// float32 32 B, combined 2 B (14 B while sweeping); O(n^(2/3)) scratch, for a band one byte for 128 voxels more.
-// Bitwise the same for any number of threads and any SIMD width.
+// [Singh10] Sec. 2 embeds the visibility in the passes of the distance. Here it has passes of its own: the result is
+// the same, for Eq. 7 asks for distances below h/2 alone, all of which are start values; and light, which needs neither
+// roots nor many bits, then goes four octants at a time in 16-bit lanes (fixed_light_sweeper.h), which takes half the
+// time that it added to the distance's passes in float. `rgba8` and `combined` come from there, `float32` from a sweep
+// in float (light_sweeper.h).
+//
+// Cost: O(n) per sweep, eight sweeps. Memory per voxel: distance 4 B; octants rgba8 8 B, float32 32 B, combined 2 B;
+// O(n^(2/3)) scratch, for a band one byte for 128 voxels more. Bitwise the same for any number of threads and any SIMD
+// width.
 #pragma once
 
 #include <array>
@@ -46,7 +52,7 @@ namespace isolume {
 
 enum class VisibilityStorage {
   none,      ///< distance alone
-  rgba8,     ///< two RGBA8 grids, as the shader reads them: octant s in channel s % 4 of grid s / 4
+  rgba8,     ///< two RGBA8 grids, as the shader reads them: octant s in channel s % 4 of grid s / 4; 15 bits on the way
   float32,   ///< eight float grids, for analysis and export
   combined,  ///< one grid of sum I_s V_s / sum I_s: the geometry term is dropped ([Singh10] Sec. 3, Fig. 6)
 };
@@ -69,33 +75,27 @@ struct SweepOptions {
   DistanceSolver solver = DistanceSolver::godunov;
   DistanceStart start = DistanceStart::better;  ///< godunov: the samples next to the surface
   /// godunov: largest number of rounds of eight distance sweeps, >= 1; the paper's is 1. Later rounds sweep only what
-  /// may change and stop when nothing has. Visibility is swept in the first round.
+  /// may change and stop when nothing has.
   int rounds = 1;
   /// band: |D| = min(k + 1, the |D| of `full`) in smallest spacings, bit for bit, k = bandVoxels >= 0. So D is that of
-  /// the whole domain within k voxels and more, and a lower bound of it beyond. Visibility, if asked for, is then swept
-  /// through the finished distances. Costs time where the band is: of ball, torus and gyroid in bench_closest 4, 4 and
-  /// 19 % of the samples are below the bound, and 18, 17 and 48 % lie in spans that reach it, which godunov sweeps
-  /// eight times. One read and one write of the grid take .06 of the whole domain's time.
+  /// the whole domain within k voxels and more, and a lower bound of it beyond. Costs time where the band is: of ball,
+  /// torus and gyroid in bench_closest 4, 4 and 19 % of the samples are below the bound, and 18, 17 and 48 % lie in
+  /// spans that reach it, which godunov sweeps eight times. One read and one write of the grid take .06 of the whole
+  /// domain's time.
   DistanceExtent extent = DistanceExtent::full;
   int bandVoxels = 3;
 };
 
 struct OctantVisibility {
-  std::array<Grid<glm::u8vec4>, 2> packed;        ///< rgba8: V_s = channel / 255
+  std::array<Grid<glm::u8vec4>, 2> packed;        ///< rgba8: V_s = channel / 255, within half a step and .001
   std::array<Grid<float>, kOctantCount> octants;  ///< float32
-  Grid<std::uint16_t> combined;                   ///< combined: round(65535 sum)
+  Grid<std::uint16_t> combined;                   ///< combined: 65535 sum, within 12
 };
 
 struct SweptFields {
   Grid<float> distance;
   OctantVisibility visibility;
 };
-
-/// Whether the visibility is swept in the passes of the distance. If not, it is swept through the finished distances,
-/// as sweepVisibility() does.
-inline bool sweptTogether(const SweepOptions& options) {
-  return options.solver == DistanceSolver::godunov && options.extent == DistanceExtent::full;
-}
 
 /// `level` as of makeLevel(): > 0 inside, finite everywhere.
 SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options = {});

@@ -112,9 +112,9 @@ Grid<std::uint16_t> sweepRotatedShadow(GridView<const float> distance, glm::dvec
   // The octant's V takes the place of the distance: each tile is read before it is written.
   Grid<float> field = turnDistance(distance, turned);
   LightSweeper sweeper(std::as_const(field).view(), options.opacity);
-  std::array<VisibilityTarget, 2> targets;
-  targets[static_cast<std::size_t>(octant % 2)].asFloat = field.data();
-  sweeper.sweepPair(octant / 2, targets);
+  sweeper.sweep(OctantSet().set(static_cast<std::size_t>(octant)), [&](const LitTile& tile) {
+    storeTile(tile.walk, tile.origin, {0, turned.size.x}, tile.visibility, field.data());
+  });
 
   Grid<std::uint16_t> shadow(distance.size, distance.spacing, distance.origin);
   const GridView<const float> visibility = std::as_const(field).view();

@@ -64,6 +64,13 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
       },
       "where octants are read: so far above the surface along\nthe normal (default: singh10 0, octants 2)");
   group.value(
+      "--octant-terms", "TERMS",
+      [&occlusion](const std::string& option, const std::string& text) {
+        occlusion.openPlane = parseChoice<bool>(option, text, {{"published", false}, {"open-plane", true}});
+      },
+      "published: as in the paper; open-plane: divided by what\neight octants give on an open plane, which is then 1\n"
+      "(default: published)");
+  group.value(
       "--normals", "SOURCE",
       [&job](const std::string& option, const std::string& text) {
         job.normals = parseChoice<NormalSource>(option, text,

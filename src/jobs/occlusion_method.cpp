@@ -21,6 +21,8 @@ constexpr double kBestTolerance = 1.05;
 /// Voxels above the surface at which self-occlusion by Eq. 7 no longer shows, [Singh10] read at the hit.
 constexpr double kOctantOffset = 2;
 
+const std::string kPublishedTerms = "published", kOpenPlaneTerms = "open-plane";
+
 constexpr std::array<std::pair<OcclusionMethod, const char*>, 5> kNames{{{OcclusionMethod::singh10, "singh10"},
                                                                          {OcclusionMethod::octants, "octants"},
                                                                          {OcclusionMethod::combined, "combined"},
@@ -33,16 +35,16 @@ void checkCompatible(const OcclusionRequest& request) {
     throw UsageError("expected one of --ordinates, --quality and --error: each alone settles how exact openness is");
   if (request.refinement && !request.ordinates)
     throw UsageError("--refinement: expected --ordinates beside it; --quality and --error choose both");
+  const char* ofOctants = request.offset ? "--occlusion-offset" : request.openPlane ? "--octant-terms" : nullptr;
   if (!request.method) {
-    if (request.offset)
-      throw UsageError(
-          "--occlusion-offset: expected --occlusion singh10 or octants beside it: ordinates are summed at "
-          "the surface");
+    if (ofOctants)
+      throw UsageError(fmt::format(
+          "{}: expected --occlusion singh10 or octants beside it: ordinates are summed at the surface", ofOctants));
     return;
   }
   const bool readAbove = *request.method == OcclusionMethod::singh10 || *request.method == OcclusionMethod::octants;
-  if (request.offset && !readAbove)
-    throw UsageError(fmt::format("--occlusion-offset: expected --occlusion singh10 or octants beside it, found {}",
+  if (ofOctants && !readAbove)
+    throw UsageError(fmt::format("{}: expected --occlusion singh10 or octants beside it, found {}", ofOctants,
                                  occlusionName(*request.method)));
   const char* knob = request.ordinates ? "--ordinates" : request.quality ? "--quality" : "--error";
   if (knobs > 0 && *request.method != OcclusionMethod::ordinates)
@@ -121,6 +123,7 @@ std::vector<CalibratedSetting> parseCalibration(const std::string& json) {
       each.setting.ordinates.refinement = entry.at("refinement");
     } else {
       each.setting.offset = entry.at("occlusion-offset");
+      each.setting.openPlane = entry.value("octant-terms", kPublishedTerms) == kOpenPlaneTerms;
     }
     double squares = 0;
     for (const auto& scene : entry.at("scenes")) squares += std::pow(scene.at("rmse").get<double>(), 2);
@@ -145,8 +148,11 @@ OcclusionSetting chooseOcclusion(const OcclusionRequest& request, const std::vec
   if (method == OcclusionMethod::none || method == OcclusionMethod::combined) return setting;
   if (method != OcclusionMethod::ordinates) {
     setting.offset = request.offset.value_or(method == OcclusionMethod::singh10 ? 0 : kOctantOffset);
+    setting.openPlane = request.openPlane.value_or(false);
     for (const CalibratedSetting& each : calibration)
-      if (each.setting.method == method && each.setting.offset == setting.offset) setting.error = each.setting.error;
+      if (each.setting.method == method && each.setting.offset == setting.offset &&
+          each.setting.openPlane == setting.openPlane)
+        setting.error = each.setting.error;
     return setting;
   }
   if (request.ordinates) return withOrdinates(request, calibration);
@@ -165,6 +171,7 @@ nlohmann::ordered_json occlusionSettings(const OcclusionSetting& setting) {
     settings["refinement"] = setting.ordinates.refinement;
   } else if (setting.method == OcclusionMethod::singh10 || setting.method == OcclusionMethod::octants) {
     settings["occlusion-offset"] = setting.offset;
+    if (setting.openPlane) settings["octant-terms"] = kOpenPlaneTerms;
   }
   return settings;
 }
@@ -176,6 +183,7 @@ const char* givenOption(const OcclusionRequest& request) {
          : request.error      ? "--error"
          : request.refinement ? "--refinement"
          : request.offset     ? "--occlusion-offset"
+         : request.openPlane  ? "--octant-terms"
                               : nullptr;
 }
 

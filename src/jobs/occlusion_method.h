@@ -32,12 +32,14 @@ struct OcclusionRequest {
   std::optional<double> error = {};              ///< the cheapest setting whose calibrated error is at most that; > 0
   std::optional<int> refinement = {};            ///< lattice points per voxel; with `ordinates`
   std::optional<double> offset = {};             ///< voxels above the surface; singh10 and octants
+  std::optional<bool> openPlane = {};            ///< divided by what an open plane gives; singh10 and octants
 };
 
 struct OcclusionSetting {
   OcclusionMethod method = OcclusionMethod::ordinates;
   OrdinateOptions ordinates;
   double offset = 0;            ///< of octants, voxels
+  bool openPlane = false;       ///< of octants, sweep/open_plane.h
   std::optional<double> error;  ///< calibrated, if the setting was
 };
 

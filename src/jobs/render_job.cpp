@@ -11,6 +11,7 @@
 
 #include "raymarch/context.h"
 #include "raymarch/view.h"
+#include "src/errors.h"
 #include "src/io/image.h"
 #include "src/io/image_codec.h"
 #include "src/io/output_file.h"
@@ -57,6 +58,7 @@ RenderSettings renderSettings(const RenderJob& job, const OcclusionSetting& occl
   settings.shading = shadingOf(occlusion.method);
   settings.normals = job.normals;
   settings.occlusionOffsetVoxels = static_cast<float>(occlusion.offset);
+  settings.openPlaneTerms = occlusion.openPlane;
   if (settings.shading == Shading::octants) {
     settings.octantLight =
         octantLights(job.light, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes, cameraAxes(camera));
@@ -150,6 +152,8 @@ void runRenderJob(const RenderJob& request) {
 
   OcclusionSetting occlusion = occlusionOf(job);
   checkLighting(job.light, occlusion.method);
+  if (occlusion.openPlane && isTranslucent(job.light))
+    throw UsageError("--octant-terms open-plane: expected an opaque solid, found --opacity below 1");
   if (isTranslucent(job.light)) {
     // Rays that carry lengths pass the samples themselves; the calibrated error is that of openness.
     occlusion.ordinates.refinement = 1;

@@ -77,21 +77,17 @@ SweptScene readScene(const SurfaceRequest& request, VisibilityStorage storage, S
 /// Stages `distance` and, if the method has it, `visibility`.
 void sweepFields(SweptScene& scene, const SweepOptions& method, StageLog& log) {
   const bool withVisibility = method.visibility != VisibilityStorage::none;
-  const bool together = withVisibility && sweptTogether(method);
-  log.begin("distance", fmt::format("sweeping distance{} over {}", together ? " and visibility" : "", gridText(scene)));
+  log.begin("distance", "sweeping distance over " + gridText(scene));
   SweepOptions sweep = method;
-  if (!together) sweep.visibility = VisibilityStorage::none;
+  sweep.visibility = VisibilityStorage::none;
   scene.swept = sweepOcclusion(std::as_const(scene.surface.level).view(), sweep);
   scene.surface.method = distanceSettings(method);
   log.end(scene.swept.distance.count() * sizeof(float));
-  if (together) {
-    log.addIncluded("visibility", visibilityBytes(scene.swept.visibility), "distance");
-  } else if (withVisibility) {
-    log.begin("visibility", "sweeping visibility over " + gridText(scene));
-    scene.swept.visibility = sweepVisibility(std::as_const(scene.swept.distance).view(), method.visibility,
-                                             method.opacity, method.intensities);
-    log.end(visibilityBytes(scene.swept.visibility));
-  }
+  if (!withVisibility) return;
+  log.begin("visibility", "sweeping visibility over " + gridText(scene));
+  scene.swept.visibility = sweepVisibility(std::as_const(scene.swept.distance).view(), method.visibility,
+                                           method.opacity, method.intensities);
+  log.end(visibilityBytes(scene.swept.visibility));
 }
 
 }  // namespace

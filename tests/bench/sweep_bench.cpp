@@ -3,13 +3,14 @@
 // Held fixed: a ball of radius .31 n (so that a third of the slices hold surface), one round of eight sweeps, all cores
 // unless --threads is given by TBB's environment. Items = voxels x sweeps, so that 1 / items_per_second is the time per
 // voxel and sweep. Beside each time: mean and largest error of the distance in voxels, checked after timing. The plain
-// loops are the same algorithm one voxel at a time on one core: compare with them in the same run, for absolute times
+// loops are the distance alone one voxel at a time on one core: compare with them in the same run, for absolute times
 // drift on shared machines. A band counts all voxels of the grid, whether swept or not, and its errors are those of its
 // bound; manyRounds sweeps until nothing changes; lightAlone goes through given distances.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "support/plain_sweep.h"
 #include "support/test_levels.h"
@@ -92,11 +93,13 @@ void lightAlone(benchmark::State& state) {
   setThreadCount(0);
 }
 
+void oneNumber(benchmark::State& state) { sweepAs(state, {.visibility = VisibilityStorage::combined}); }
+
 void plainLoops(benchmark::State& state) {
   const Ball ball = makeBall(sizeOf(state));
-  test::PlainFields fields;
-  for (auto _ : state) fields = test::plainSweep(ball.level.view());
-  reportError(state, ball, fields.distance.data());
+  std::vector<float> distance;
+  for (auto _ : state) distance = test::plainSweep(ball.level.view());
+  reportError(state, ball, distance.data());
 }
 
 // nx, ny, nz, threads (0 = all)
@@ -113,6 +116,7 @@ BENCHMARK(manyRounds)->Args({256, 256, 256, 1})->Unit(benchmark::kMillisecond)->
 BENCHMARK(bandAlone)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(lightAlone)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(eightOctants)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(oneNumber)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(plainLoops)->Args({100, 100, 100, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

@@ -62,6 +62,25 @@ TEST(OcclusionMethod, OctantsStateTheirErrorAtTheCalibratedOffset) {
   EXPECT_EQ(choose({.method = OcclusionMethod::singh10}).offset, 0);
 }
 
+TEST(OcclusionMethod, OpenPlaneTermsAreOfOctantsAndHaveTheirOwnError) {
+  // Terms divided by what an open plane gives are stated in the settings, take the error that was measured with them,
+  // and are refused beside methods without octants.
+  const auto calibration = parseCalibration(R"({"settings": [
+    {"occlusion": "octants", "occlusion-offset": 2, "seconds": 1, "scenes": [{"rmse": 0.1}]},
+    {"occlusion": "octants", "occlusion-offset": 2, "octant-terms": "open-plane", "seconds": 1,
+     "scenes": [{"rmse": 0.08}]}]})");
+  const OcclusionSetting divided =
+      chooseOcclusion({.method = OcclusionMethod::octants, .openPlane = true}, calibration);
+  EXPECT_EQ(divided.error, 0.08);
+  EXPECT_EQ(occlusionSettings(divided)["octant-terms"], "open-plane");
+  const OcclusionSetting published = chooseOcclusion({.method = OcclusionMethod::octants}, calibration);
+  EXPECT_EQ(published.error, 0.1);
+  EXPECT_FALSE(occlusionSettings(published).contains("octant-terms"));
+  EXPECT_EQ(choose({.method = OcclusionMethod::octants, .openPlane = true}).error, std::nullopt);
+  EXPECT_THROW(choose({.openPlane = true}), UsageError);
+  EXPECT_THROW(choose({.method = OcclusionMethod::combined, .openPlane = true}), UsageError);
+}
+
 TEST(OcclusionMethod, CalibrationOfTheProgramIsComplete) {
   // The embedded file has both octant methods and ordinates, with errors that make every quality a setting.
   for (const auto quality : {OcclusionQuality::draft, OcclusionQuality::good, OcclusionQuality::best})

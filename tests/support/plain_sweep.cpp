@@ -13,7 +13,6 @@ namespace {
 
 constexpr float kUnset = 0x1p60F;
 constexpr float kSmallest = 1e-30F;
-constexpr float kDarkest = 1e-20F;
 
 // The library marks fixed values in the last bit of the mantissa; so must an equal result.
 float withLastBit(float value, bool set) {
@@ -26,7 +25,6 @@ struct State {
   glm::vec3 h;
   std::vector<float> magnitude;
   std::vector<bool> fixed;
-  bool inside(int x, int y, int z) const { return level(x, y, z) > 0; }
 };
 
 void start(State& state, DistanceStart kind) {
@@ -99,62 +97,45 @@ float plainUpdate(glm::vec3 neighbours, glm::dvec3 spacing) {
   return std::bit_cast<float>(bits);
 }
 
-float plainTransmittance(float distance, float opacity) {
-  if (opacity == 1) return std::min(std::max(distance + 0.5F, 0.0F), 1.0F);
-  return std::min(std::max(opacity * distance + (1 - opacity / 2), 1 - opacity), 1.0F);
-}
-
-PlainFields plainSweep(GridView<const float> level, int rounds, DistanceStart kind, float opacity) {
+std::vector<float> plainSweep(GridView<const float> level, int rounds, DistanceStart kind) {
   const glm::ivec3 n = level.size;
   const double smallest = smallestSpacing(level.spacing);
   const glm::dvec3 h = level.spacing / smallest;
   State state{level, glm::vec3(h), std::vector<float>(level.count()), std::vector<bool>(level.count())};
   start(state, kind);
 
-  const double inverseSum = 1 / h.x + 1 / h.y + 1 / h.z;
-  glm::vec3 weight(1 / h.x / inverseSum, 1 / h.y / inverseSum, 0);
-  weight.z = 1.0F - (weight.x + weight.y);
-
-  PlainFields fields;
   for (int round = 0; round < rounds; ++round)
     for (int s = 0; s < kOctantCount; ++s) {
       const glm::ivec3 sign = kOctants[static_cast<std::size_t>(s)].sweep;
-      std::vector<float> visibility(level.count());
       for (int k = 0; k < n.z; ++k)
         for (int j = 0; j < n.y; ++j)
           for (int i = 0; i < n.x; ++i) {
             const glm::ivec3 p(sign.x > 0 ? i : n.x - 1 - i, sign.y > 0 ? j : n.y - 1 - j,
                                sign.z > 0 ? k : n.z - 1 - k);
             const std::size_t at = level.index(p.x, p.y, p.z);
-            glm::vec3 distance(kUnset), light(1);
+            glm::vec3 distance(kUnset);
             for (int axis = 0; axis < 3; ++axis) {
               glm::ivec3 q = p;
               q[axis] -= sign[axis];
               if (q[axis] < 0 || q[axis] >= n[axis]) continue;
-              const std::size_t from = level.index(q.x, q.y, q.z);
-              distance[axis] = state.magnitude[from];
-              const float signedDistance = state.inside(q.x, q.y, q.z) ? -distance[axis] : distance[axis];
-              light[axis] = visibility[from] * plainTransmittance(signedDistance, opacity);
+              distance[axis] = state.magnitude[level.index(q.x, q.y, q.z)];
             }
             float& magnitude = state.magnitude[at];
             const glm::vec3 beyond = distance + state.h;
             const float nearest = std::min({beyond.x, beyond.y, beyond.z});
             magnitude = state.fixed[at] ? std::min(magnitude, withLastBit(nearest, true))
                                         : std::min(magnitude, plainUpdate(distance, h));
-            const float sum = (weight.x * light.x + weight.y * light.y) + weight.z * light.z;
-            visibility[at] = sum >= kDarkest ? sum : 0;
           }
-      if (round == 0) fields.visibility[static_cast<std::size_t>(s)] = visibility;
     }
 
-  fields.distance.resize(level.count());
+  std::vector<float> field(level.count());
   for (std::size_t i = 0; i < level.count(); ++i) {
     const float magnitude = withLastBit(state.magnitude[i], false);
     const float world =
         magnitude < kUnset ? magnitude * static_cast<float>(smallest) : std::numeric_limits<float>::infinity();
-    fields.distance[i] = level.data[i] > 0 ? -world : world;
+    field[i] = level.data[i] > 0 ? -world : world;
   }
-  return fields;
+  return field;
 }
 
 }  // namespace isolume::test

@@ -1,6 +1,8 @@
 // The octants as one number: their mean by intensity, without a geometry term.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "support/test_levels.h"
@@ -13,10 +15,11 @@ using test::noiseLevel;
 
 constexpr OctantIntensities kUneven{0, 0.5F, 3, 1, 0, 2, 0.25F, 7};
 
-// |combined - 65535 sum I V / sum I| at every sample: half a step, and the rounding of eight products in float.
+// |combined - 65535 sum I V / sum I| at every sample: half a step, half a unit of 2^-15 in each of eight shares and in
+// each of eight products, and six for what each V is off by, the roundings of its neighbours.
 void expectMeanOf(const std::array<Grid<float>, kOctantCount>& octants, const OctantIntensities& intensities,
                   const Grid<std::uint16_t>& combined) {
-  constexpr double kBound = 0.5 + 65535 * 8 * 0x1p-24;
+  constexpr double kBound = 0.5 + 2 * (4 + 4 + 6);
   double total = 0;
   for (const float intensity : intensities) total += intensity;
   ASSERT_EQ(combined.size(), octants[0].size());
@@ -42,6 +45,20 @@ TEST(CombinedVisibility, IsTheMeanOfTheOctantsByIntensity) {
       expectMeanOf(alone.octants, intensities,
                    sweepVisibility(distance, VisibilityStorage::combined, opacity, intensities).combined);
     }
+}
+
+TEST(CombinedVisibility, IsTheMeanBesideEdgesToo) {
+  // Right behind the edges of walls, dark beside full light, the one number is that mean as well.
+  const auto level = test::sampleLevel({60, 50, 40}, glm::dvec3(1), [](glm::dvec3 p) {
+    return std::max(3.2 - std::abs(p.z - 20) + (p.x > 30 ? -9.0 : 0.0), 2.6 - std::abs(p.y - 14) + (p.z > 9 ? -9 : 0));
+  });
+  const OctantIntensities first{1, 0, 0, 0, 0, 0, 0, 0};
+  for (const OctantIntensities& intensities : {kEvenOctants, first}) {
+    SweepOptions options{.visibility = VisibilityStorage::float32, .intensities = intensities};
+    const SweptFields octants = sweepOcclusion(level.view(), options);
+    options.visibility = VisibilityStorage::combined;
+    expectMeanOf(octants.visibility.octants, intensities, sweepOcclusion(level.view(), options).visibility.combined);
+  }
 }
 
 TEST(CombinedVisibility, WithoutASolidIsFull) {

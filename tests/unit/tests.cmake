@@ -9,10 +9,14 @@ isolume_test(test_sweep
   unit/fixed_point_test.cpp
   unit/band_test.cpp
   unit/rotated_shadow_test.cpp
+  unit/transport_test.cpp
   unit/visibility_test.cpp
   unit/combined_visibility_test.cpp
+  unit/fixed_light_test.cpp
   unit/layout_test.cpp
+  unit/open_plane_test.cpp
   unit/large_index_test.cpp
+  support/plain_light.cpp
   support/plain_start.cpp
   support/plain_sweep.cpp
   support/random_grids.cpp

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/octant_openness.h"
-#include "support/plain_sweep.h"
+#include "support/plain_light.h"
 #include "support/simd_targets.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
@@ -241,38 +241,6 @@ TEST(Visibility, AloneItIsEquationSixThroughTheGivenDistances) {
   }
 }
 
-// The same in float and in the order of the vectorised sweep.
-std::vector<float> plainVisibilityInFloat(GridView<const float> distance, glm::ivec3 sign, float opacity) {
-  const glm::ivec3 n = distance.size;
-  const double smallest = smallestSpacing(distance.spacing);
-  const glm::dvec3 h = distance.spacing / smallest;
-  const double inverseSum = 1 / h.x + 1 / h.y + 1 / h.z;
-  glm::vec3 weight(1 / h.x / inverseSum, 1 / h.y / inverseSum, 0);
-  weight.z = 1.0F - (weight.x + weight.y);
-  const float perSmallest = 1 / static_cast<float>(smallest);
-  constexpr float kDarkest = 1e-20F;
-  std::vector<float> visibility(distance.count());
-  for (int k = 0; k < n.z; ++k)
-    for (int j = 0; j < n.y; ++j)
-      for (int i = 0; i < n.x; ++i) {
-        const glm::ivec3 p(sign.x > 0 ? i : n.x - 1 - i, sign.y > 0 ? j : n.y - 1 - j, sign.z > 0 ? k : n.z - 1 - k);
-        glm::vec3 light(1);
-        for (int axis = 0; axis < 3; ++axis) {
-          glm::ivec3 q = p;
-          q[axis] -= sign[axis];
-          if (q[axis] < 0 || q[axis] >= n[axis]) continue;
-          const float given = distance(q.x, q.y, q.z);
-          // A start value: its last bit is set (surface_start.h).
-          const float magnitude = withFixedBit(std::min(std::abs(given) * perSmallest, 2.0F), true);
-          light[axis] = visibility[distance.index(q.x, q.y, q.z)] *
-                        test::plainTransmittance(std::copysign(magnitude, given), opacity);
-        }
-        const float sum = (weight.x * light.x + weight.y * light.y) + weight.z * light.z;
-        visibility[distance.index(p.x, p.y, p.z)] = sum >= kDarkest ? sum : 0;
-      }
-  return visibility;
-}
-
 TEST(Visibility, AloneItHasTheBitsOfPlainLoopsOnEveryInstructionSet) {
   // Light alone through given distances, infinite ones too, equals plain loops bit for bit, for any size, spacing
   // and opacity.
@@ -288,7 +256,7 @@ TEST(Visibility, AloneItHasTheBitsOfPlainLoopsOnEveryInstructionSet) {
         for (const float opacity : {1.0F, 0.35F}) {
           const OctantVisibility swept = sweepVisibility(distance.view(), VisibilityStorage::float32, opacity);
           for (std::size_t s = 0; s < kOctants.size(); ++s) {
-            const std::vector<float> plain = plainVisibilityInFloat(distance.view(), kOctants[s].sweep, opacity);
+            const std::vector<float> plain = test::plainLight(distance.view(), kOctants[s].sweep, opacity);
             EXPECT_EQ(std::memcmp(swept.octants[s].data(), plain.data(), plain.size() * sizeof(float)), 0)
                 << "octant " << s;
           }

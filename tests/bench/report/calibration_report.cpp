@@ -10,6 +10,7 @@
 
 #include "sweep/level.h"
 #include "sweep/occlusion_sweep.h"
+#include "sweep/open_plane.h"
 #include "sweep/ordinates/openness_sweep.h"
 #include "sweep/parallel.h"
 #include "sweep/reference/reference.h"
@@ -50,7 +51,7 @@ struct Measured {
   std::vector<double> openness;
 };
 
-Measured measureOctants(const JudgedScene& scene, double offset, int runs) {
+Measured measureOctants(const JudgedScene& scene, double offset, bool openPlane, int runs) {
   OctantVisibility swept;
   const auto sweep = [&](VisibilityStorage storage) {
     return [&, storage] { swept = sweepVisibility(std::as_const(scene.distance).view(), storage); };
@@ -58,9 +59,11 @@ Measured measureOctants(const JudgedScene& scene, double offset, int runs) {
   const std::vector<double> seconds = timedRuns(runs, sweep(VisibilityStorage::rgba8));
   sweep(VisibilityStorage::float32)();
   Measured measured{*std::min_element(seconds.begin(), seconds.end()), {}};
-  for (const JudgedPoint& point : scene.points) 
-    measured.openness.push_back(
-        test::octantOpenness(swept, point.position + offset * point.normal, point.normal));
+  const OpenPlaneTable plane = makeOpenPlaneTable(scene.distance.view().spacing, offset);
+  for (const JudgedPoint& point : scene.points) {
+    const double openness = test::octantOpenness(swept, point.position + offset * point.normal, point.normal);
+    measured.openness.push_back(openPlane ? std::min(1.0, openness / plane.at(point.normal)) : openness);
+  }
   return measured;
 }
 
@@ -103,9 +106,13 @@ nlohmann::ordered_json work(const Options& options) {
   for (const char* name : kScenes) scenes.push_back(judgedScene(name, options));
   auto settings = nlohmann::ordered_json::array();
   for (const auto& [name, offset] : {std::pair{"singh10", 0.0}, {"octants", 2.0}})
-    settings.push_back(
-        settingOf({{"occlusion", name}, {"occlusion-offset", offset}}, scenes,
-                  [&](const JudgedScene& scene) { return measureOctants(scene, offset, options.runs); }));
+    for (const bool openPlane : {false, true}) {
+      nlohmann::ordered_json setting{{"occlusion", name}, {"occlusion-offset", offset}};
+      if (openPlane) setting["octant-terms"] = "open-plane";
+      settings.push_back(settingOf(setting, scenes, [&](const JudgedScene& scene) {
+        return measureOctants(scene, offset, openPlane, options.runs);
+      }));
+    }
   for (const int refinement : {1, 2})
     for (const int ordinates : {32, 64, 72, 128, 256, 512, 1024, 2048, 4096})
       settings.push_back(settingOf({{"occlusion", "ordinates"}, {"ordinates", ordinates}, {"refinement", refinement}},

@@ -1,0 +1,46 @@
+// Between rows of 16-bit values and the diagonals of fixed_light.h, without gathers: lane j of a diagonal takes the row
+// that lies j (falling: lanes - 1 - j) further back, two binary digits of that shift at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/gtc/type_precision.hpp>
+
+#include "fixed_light.h"
+
+namespace isolume {
+
+/// -tau of [Singh10] Eq. 7 and 8 in units of 2^-15 for `count` distances times `perSmallest` = 1 / h, rounded; to whole
+/// vectors, kClear beyond the count.
+void transmittanceRow(const float* distance, int count, float perSmallest, float opacity, std::int16_t* row);
+
+/// `rows`: that of y = 0 of a plane, `stride` values apart, `lanes` of each are read; diagonals[0] is step 0. Rows
+/// beyond 0 ... ny - 1 count as kClear. `scratch`: 2 * (steps + lanes) * lanes values.
+void shearRows(const std::int16_t* rows, std::ptrdiff_t stride, const ColumnShape& shape, bool rising,
+               std::int16_t* scratch, std::int16_t* diagonals);
+
+/// The way back: `lanes` values of each row of y in 0 ... ny - 1.
+void unshearRows(const std::int16_t* diagonals, const ColumnShape& shape, bool rising, std::int16_t* scratch,
+                 std::int16_t* rows, std::ptrdiff_t stride);
+
+/// Values of a scratch of the two.
+inline std::size_t shearScratch(const ColumnShape& shape) {
+  return 2 * static_cast<std::size_t>(shape.steps() + 2 * shape.lanes) * static_cast<std::size_t>(shape.lanes);
+}
+
+/// A plane of what all octants of a walk leave, rows `stride` >= nx values apart, rounded up to whole vectors.
+struct MergedRows {
+  const std::int16_t* rising = nullptr;   ///< octants 0 and 3
+  const std::int16_t* falling = nullptr;  ///< 1 and 2
+  int nx = 0, ny = 0;
+  std::ptrdiff_t stride = 0;
+};
+
+/// RGBA of the four (kFirstByte, kSecondByte) in a plane of a grid.
+void packBytes(const MergedRows& rows, glm::u8vec4* voxels);
+
+/// 16-bit means from sums of missing light: the first visit stores rising + falling, the last adds to them what is
+/// there and stores round(65535 (1 - sum / total)).
+void packMeans(const MergedRows& rows, bool last, int total, std::uint16_t* voxels);
+
+}  // namespace isolume
