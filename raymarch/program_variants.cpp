@@ -13,7 +13,13 @@ const std::vector<ProgramVariant>& programVariants() {
       {"march_local", "shaders/fullscreen.vert", "shaders/march_local.frag"},
       {"march_octants", "shaders/fullscreen.vert", "shaders/march_octants.frag"},
       {"screen_area", "shaders/fullscreen.vert", "shaders/screen/area.frag"},
+      {"screen_bent_ball", "shaders/fullscreen.vert", "shaders/screen/bent_ball.frag"},
+      {"screen_bent_disk", "shaders/fullscreen.vert", "shaders/screen/bent_disk.frag"},
+      {"screen_bent_hbao", "shaders/fullscreen.vert", "shaders/screen/bent_hbao.frag"},
+      {"screen_bent_light", "shaders/fullscreen.vert", "shaders/screen/bent_light.frag"},
       {"screen_bitmask", "shaders/fullscreen.vert", "shaders/screen/bitmask.frag"},
+      {"screen_closed_ball", "shaders/fullscreen.vert", "shaders/screen/closed_ball.frag"},
+      {"screen_closed_disk", "shaders/fullscreen.vert", "shaders/screen/closed_disk.frag"},
       {"screen_composite", "shaders/fullscreen.vert", "shaders/screen/composite.frag"},
       {"screen_disk", "shaders/fullscreen.vert", "shaders/screen/disk.frag"},
       {"screen_filter", "shaders/fullscreen.vert", "shaders/screen/filter.frag"},
@@ -24,6 +30,7 @@ const std::vector<ProgramVariant>& programVariants() {
       {"screen_line", "shaders/fullscreen.vert", "shaders/screen/line.frag"},
       {"screen_moments", "shaders/fullscreen.vert", "shaders/screen/moments.frag"},
       {"screen_points", "shaders/fullscreen.vert", "shaders/screen/points.frag"},
+      {"screen_swept", "shaders/fullscreen.vert", "shaders/screen/swept.frag"},
       {"screen_volumetric", "shaders/fullscreen.vert", "shaders/screen/volumetric.frag"},
   };
   return variants;

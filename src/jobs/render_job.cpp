@@ -20,6 +20,7 @@
 #include "src/jobs/lighting.h"
 #include "src/jobs/provenance.h"
 #include "src/jobs/report.h"
+#include "src/jobs/screen_light.h"
 
 namespace isolume {
 namespace {
@@ -43,6 +44,7 @@ Shading shadingOf(OcclusionMethod method) {
 /// A file of fields is drawn from what it holds, its octants, if nothing else was asked for.
 OcclusionSetting occlusionOf(const RenderJob& job) {
   OcclusionRequest request = job.occlusion;
+  if (sweepsBent(job.screen)) return chooseOcclusion(request);
   if (job.screen.estimator) request.method = OcclusionMethod::none;
   if (!givenOption(request) && !givenOption(job.light) && isFieldsFile(job.surface.input))
     request.method = OcclusionMethod::octants;
@@ -121,22 +123,26 @@ std::size_t textureBytes(const SceneFields& fields) {
                                  (fields.octants[0].data ? kOctantsBytes : 0) + fields.lights.size() * kLightBytes);
 }
 
-/// Stages `environment`, if there is a map, and `visibility`.
-SweptLighting lightScene(const RenderJob& job, const OcclusionSetting& occlusion, const SweptScene& scene,
-                         const Camera& camera, StageLog& log) {
+/// Stage `environment`, if there is a map.
+std::optional<EnvironmentMap> readMap(const RenderJob& job, StageLog& log) {
+  if (job.light.environment.empty()) return std::nullopt;
+  log.begin("environment", "reading " + job.light.environment);
+  EnvironmentMap map = readEnvironmentMap(job.light.environment);
+  log.end(map.radiance.size() * sizeof(glm::vec3));
+  return map;
+}
+
+/// Stage `visibility`, with ordinates.
+SweptLighting lightScene(const RenderJob& job, const OcclusionSetting& occlusion, const EnvironmentMap* map,
+                         const SweptScene& scene, const Camera& camera, StageLog& log) {
   if (occlusion.method != OcclusionMethod::ordinates) return {};
-  std::optional<EnvironmentMap> map;
-  if (!job.light.environment.empty()) {
-    log.begin("environment", "reading " + job.light.environment);
-    map = readEnvironmentMap(job.light.environment);
-    log.end(map->radiance.size() * sizeof(glm::vec3));
-  }
   LightingRequest request = job.light;
   request.bent = job.layers.bent;
   request.thickness = job.layers.thickness;
   log.begin("visibility", fmt::format("sweeping {} ordinates over {}", occlusion.ordinates.ordinates, gridText(scene)));
-  SweptLighting lighting =
-      sweepLighting(request, occlusion.ordinates, map ? &*map : nullptr, scene, camera, job.albedo.linear);
+  SweptLighting lighting = sweepsBent(job.screen)
+                               ? sweepForScreen(occlusion.ordinates, scene)
+                               : sweepLighting(request, occlusion.ordinates, map, scene, camera, job.albedo.linear);
   log.end(lighting.bytes());
   return lighting;
 }
@@ -152,7 +158,7 @@ void runRenderJob(const RenderJob& request) {
   StageLog log(job.run);
 
   OcclusionSetting occlusion = occlusionOf(job);
-  checkLighting(job.light, occlusion.method);
+  if (!job.screen.estimator) checkLighting(job.light, occlusion.method);
   if (isTranslucent(job.light)) {
     // Rays that carry lengths pass the samples themselves; the calibrated error is that of openness.
     occlusion.ordinates.refinement = 1;
@@ -170,7 +176,8 @@ void runRenderJob(const RenderJob& request) {
   settleOpacity(job.light, scene.surface);
   const double aspect = static_cast<double>(job.size.x) / job.size.y;
   const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
-  SweptLighting lighting = lightScene(job, occlusion, scene, camera, log);
+  const std::optional<EnvironmentMap> map = readMap(job, log);
+  SweptLighting lighting = lightScene(job, occlusion, map ? &*map : nullptr, scene, camera, log);
   if (occlusion.method == OcclusionMethod::combined) lighting = combinedLight(job.light, scene.swept.visibility);
   // Beside drawing: it reads the files once more and uses one core.
   std::vector<std::string> files = scene.surface.files;
@@ -188,6 +195,9 @@ void runRenderJob(const RenderJob& request) {
   RenderSettings settings =
       renderSettings(job, occlusion, lighting, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes);
   settings.screen = chooseScreen(job.screen, solidCorners(scene.surface));
+  if (settings.screen)
+    settings.screen->sky =
+        screenSky(job.light, map ? &*map : nullptr, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes);
   const Frame frame = renderer.render(camera, settings);
   log.end(frameBytes(frame));
 

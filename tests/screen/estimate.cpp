@@ -31,10 +31,10 @@ float estimateOnce(ScreenEstimator estimator, const glsl::Shaded& shaded) {
 /// Directions and steps that find every horizon: with few, its highest point falls between two steps.
 constexpr glm::ivec2 kFineMarch{16, 512};
 
-}  // namespace
-
-double estimateBy(const ScreenOcclusion& settings, const std::vector<glm::vec4>& samples, const Blocks& blocks,
-                  glm::dvec3 view, int turns, double roll) {
+/// Calls `visit` with each turn of the samples.
+template <class Visit>
+void forEachTurn(const ScreenOcclusion& settings, const std::vector<glm::vec4>& samples, const Blocks& blocks,
+                 glm::dvec3 view, int turns, double roll, Visit visit) {
   const glm::dmat3 frame = frameAlong(view, roll);
   glsl::asked = {
       samples,
@@ -42,17 +42,42 @@ double estimateBy(const ScreenOcclusion& settings, const std::vector<glm::vec4>&
       settings.normalisedBySamples,
       settings.clampedToTangent,
       static_cast<float>(settings.thicknessWorld.value_or(1e9)),
+      settings.steps,
+      glm::mat3(frame),
       [&](float x, float y) { return static_cast<float>(entry(blocks, frame * glm::dvec3(x, y, 0), frame[2])); }};
   const glm::vec3 normal(glm::transpose(frame) * glm::dvec3(0, 0, 1));
-  double sum = 0;
   for (int i = 0; i < turns; ++i) {
     const double angle = 2 * std::numbers::pi * i / turns;
     // Jitters in another order than the angles: i times an odd number, modulo a power of two.
     constexpr int kOrder = 13;
-    sum += estimateOnce(settings.estimator, {normal, glm::vec2(std::cos(angle), std::sin(angle)),
-                                             static_cast<float>(i * kOrder % turns) / static_cast<float>(turns)});
+    visit(glsl::Shaded{normal, glm::vec2(std::cos(angle), std::sin(angle)),
+                       static_cast<float>(i * kOrder % turns) / static_cast<float>(turns)});
   }
+}
+
+glsl::Bent bentOnce(const ScreenOcclusion& settings, const glsl::Shaded& shaded) {
+  if (settings.bentFrom == BentSource::hbao) return glsl::hbaoBent(shaded);
+  return settings.bentFrom == BentSource::crytek2d ? glsl::diskBent(shaded) : glsl::ballBent(shaded);
+}
+
+}  // namespace
+
+double estimateBy(const ScreenOcclusion& settings, const std::vector<glm::vec4>& samples, const Blocks& blocks,
+                  glm::dvec3 view, int turns, double roll) {
+  double sum = 0;
+  forEachTurn(settings, samples, blocks, view, turns, roll, [&](const glsl::Shaded& shaded) {
+    sum += settings.estimator == ScreenEstimator::klehm11 ? bentOnce(settings, shaded).share
+                                                          : estimateOnce(settings.estimator, shaded);
+  });
   return sum / turns;
+}
+
+glm::dvec4 estimateBend(const ScreenOcclusion& settings, const Blocks& blocks, glm::dvec3 view, int turns,
+                        double roll) {
+  glm::dvec4 sum(0);
+  forEachTurn(settings, planScreen(settings).samples, blocks, view, turns, roll,
+              [&](const glsl::Shaded& shaded) { sum += glm::dvec4(glsl::storedBend(bentOnce(settings, shaded))); });
+  return sum / static_cast<double>(turns);
 }
 
 double estimate(const ScreenOcclusion& settings, const Blocks& blocks, glm::dvec3 view, int turns, double roll) {

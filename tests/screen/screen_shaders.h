@@ -20,6 +20,8 @@ struct Asked {
   ivec2 march{0};
   bool normalised = true, clamped = true;
   float thickness = 1e9f;
+  int steps = 0;
+  mat3 gridFromFrame{1};
   std::function<float(float x, float y)> depth;  ///< of the surface that is seen
 };
 inline Asked asked;
@@ -27,6 +29,8 @@ inline Asked asked;
 inline int sampleCount() { return static_cast<int>(asked.samples.size()); }
 inline vec4 sampleAt(int i) { return asked.samples[static_cast<std::size_t>(i)]; }
 inline ivec2 marchCounts() { return asked.march; }
+inline int marchSteps() { return asked.steps; }
+inline vec3 gridDirection(vec3 v) { return asked.gridFromFrame * v; }
 inline bool normalisedBySamples() { return asked.normalised; }
 inline bool clampedToTangent() { return asked.clamped; }
 inline float seenThickness() { return asked.thickness; }
@@ -65,6 +69,10 @@ inline DepthSpread depthSpread(vec2 at, float share) {
 #include "shaders/screen/horizon.glsl"
 
 #include "shaders/screen/area.glsl"
+
+#include "shaders/screen/bent.glsl"
+
+#include "shaders/screen/bent_points.glsl"
 #include "shaders/screen/bitmask.glsl"
 #include "shaders/screen/disk.glsl"
 #include "shaders/screen/gtao.glsl"

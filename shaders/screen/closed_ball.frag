@@ -1,0 +1,9 @@
+#version 450 core
+// The openness of bent_ball.frag alone.
+#include "screen/harness.glsl"
+#include "screen/bent.glsl"
+#include "screen/bent_points.glsl"
+
+float estimate(Shaded shaded) { return ballBent(shaded).share; }
+
+#include "screen/main.glsl"
