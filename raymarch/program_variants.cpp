@@ -26,10 +26,12 @@ const std::vector<ProgramVariant>& programVariants() {
       {"screen_gtao", "shaders/fullscreen.vert", "shaders/screen/gtao.frag"},
       {"screen_hbao", "shaders/fullscreen.vert", "shaders/screen/hbao.frag"},
       {"screen_heights", "shaders/fullscreen.vert", "shaders/screen/heights.frag"},
+      {"screen_importance", "shaders/fullscreen.vert", "shaders/screen/importance.frag"},
       {"screen_indirect", "shaders/fullscreen.vert", "shaders/screen/indirect.frag"},
       {"screen_line", "shaders/fullscreen.vert", "shaders/screen/line.frag"},
       {"screen_moments", "shaders/fullscreen.vert", "shaders/screen/moments.frag"},
       {"screen_points", "shaders/fullscreen.vert", "shaders/screen/points.frag"},
+      {"screen_ssdo", "shaders/fullscreen.vert", "shaders/screen/ssdo.frag"},
       {"screen_swept", "shaders/fullscreen.vert", "shaders/screen/swept.frag"},
       {"screen_volumetric", "shaders/fullscreen.vert", "shaders/screen/volumetric.frag"},
   };

@@ -36,6 +36,8 @@ const char* screenEstimatorName(ScreenEstimator estimator) {
       return "bitmask";
     case ScreenEstimator::klehm11:
       return "klehm11";
+    case ScreenEstimator::envImportance:
+      return "env-importance";
   }
   return nullptr;
 }
@@ -88,14 +90,18 @@ bool readsCharacteristic(const ScreenOcclusion& settings) {
   }
 }
 
-bool readsSky(ScreenEstimator estimator) { return estimator == ScreenEstimator::klehm11; }
+bool readsSky(ScreenEstimator estimator) {
+  return estimator == ScreenEstimator::klehm11 || estimator == ScreenEstimator::ssdo ||
+         estimator == ScreenEstimator::envImportance;
+}
 
 bool readsNeighbourhood(const ScreenOcclusion& settings) {
   return settings.estimator != ScreenEstimator::klehm11 || settings.bentFrom != BentSource::sweep;
 }
 
 bool readsSteps(const ScreenOcclusion& settings) {
-  return settings.estimator == ScreenEstimator::klehm11 && settings.bentFrom == BentSource::crytek3d;
+  return settings.estimator == ScreenEstimator::envImportance ||
+         (settings.estimator == ScreenEstimator::klehm11 && settings.bentFrom == BentSource::crytek3d);
 }
 
 bool readsThickness(const ScreenOcclusion& settings) {

@@ -25,10 +25,11 @@
 //     crytek-3d             points of the half ball, with steps on the way: mu = (r / R)^3, no cosine
 //     hbao                  as hbao; what it closes of a hemisphere has its mean direction in closed form
 //     sweep                 openness and mean open direction from the volume (sweep/ordinates), no neighbourhood
+//   env-importance        directions by the sky's luminance times the cosine, open or not within R
 // Light: openness under an even sky, unless a sky is given (sky_cube.h). Under it klehm11 looks up what its bent normal
-// or cone receives (bent_light.glsl), ssdo sums the radiance from where it is open; no other estimator takes one.
-// gpu-tangent departs from the paper, whose sum is 2 * integral of mu over [0, 1] on an open plane (1/2 for mu = r^3, 1
-// for mu = r): here it is divided by that.
+// or cone receives (bent_light.glsl); ssdo and env-importance sum the radiance from where it is open; no other
+// estimator takes one. gpu-tangent departs from the paper, whose sum is 2 * integral of mu over [0, 1] on an open plane
+// (1/2 for mu = r^3, 1 for mu = r): here it is divided by that.
 #pragma once
 
 #include <array>
@@ -59,8 +60,9 @@ enum class ScreenEstimator {
   gtao,
   bitmask,
   klehm11,
+  envImportance,
 };
-inline constexpr int kScreenEstimators = 16;
+inline constexpr int kScreenEstimators = 17;
 
 /// What klehm11 takes openness and mean open direction from.
 enum class BentSource { crytek2d, crytek3d, hbao, sweep };
@@ -102,7 +104,8 @@ struct ScreenOcclusion {
   BentSource bentFrom = BentSource::crytek3d;
   BentLight bent = BentLight::cone;
   bool geometricTerm = false;  ///< cone, cap: with the heuristic of [Klehm11] Sec. 3.4
-  int steps = 3;               ///< klehm11, crytek-3d: further points on the way to each sample, 0 to kMostScreenSteps
+  int steps =
+      3;  ///< klehm11 by crytek-3d, env-importance: further points on the way to each sample, 0 to kMostScreenSteps
   std::shared_ptr<const SkyCube> sky = {};  ///< none: an even one of radiance 1
 };
 

@@ -183,6 +183,11 @@ ScreenPlan planScreen(const ScreenOcclusion& settings) {
       return {"screen_line", diskSamples(settings), {}, false};
     case ScreenEstimator::klehm11:
       return planBent(settings);
+    case ScreenEstimator::ssdo:
+      if (!settings.sky) return {"screen_points", pointSamples(settings), {}, false};
+      return {"screen_ssdo", pointSamples(settings), {}, false, false, {.radiance = true}};
+    case ScreenEstimator::envImportance:
+      return {"screen_importance", {}, {settings.samples, 0}, false, false, {.cones = 1, .draws = true}};
     default:
       return {"screen_points", pointSamples(settings), {}, false};
   }

@@ -9,7 +9,7 @@
 
 namespace isolume {
 
-/// GPU memory: 96 KiB for each cone (RGBA32F).
+/// GPU memory: 96 KiB for each cone, 384 KiB of radiance, 50 KiB of draws (RGBA32F).
 class SkyTextures {
  public:
   /// Makes what is missing and binds it. No sky: an even one of radiance 1.
@@ -17,10 +17,12 @@ class SkyTextures {
 
  private:
   void makeCones(const SkyCube& sky, int count);
+  void makeRadiance(const SkyCube& sky);
+  void makeDraws(const SkyCube& sky);
 
   std::shared_ptr<const SkyCube> sky_;
   bool made_ = false;
-  GlTexture cones_;
+  GlTexture cones_, radiance_, draws_;
   int coneCount_ = 0;
 };
 

@@ -1,16 +1,9 @@
 // Bent normals by samples. They hold a direction of the hemisphere in the axes of the tangent plane (z along the normal),
 // evenly spread, and a distance: together they fill the half ball evenly.
 //
+// crytek-3d: whether the point and steps on the way to it are outside (march_to.glsl; [Klehm11] Sec. 4).
+//
 // The mean of all of a set's directions stands for N / 2, so that nothing bends in the open however few they are.
-
-// crytek-3d: whether a point and steps on the way to it are outside ([Klehm11] Sec. 4, after CryEngine 3).
-float ballOpen(Axes axes, vec3 direction, float reach) {
-  int parts = marchSteps() + 1;
-  vec3 p = alongAxes(axes, direction);
-  float open = 1.0f;
-  for (int k = parts; k > 0 && open > 0.0f; --k) open = outside(p * (reach * float(k) / float(parts)));
-  return open;
-}
 
 // crytek-2d: a point of the disk in the tangent plane stands for the direction above it; what its pixel shows closes that
 // one if it rises above the plane, and is not farther in front of it than the thickness ([Klehm11] Eq. 3, d_xn). The
@@ -38,7 +31,7 @@ Bent ballBent(Shaded shaded) {
   for (int i = 0; i < sampleCount(); ++i) {
     vec4 each = sampleAt(i);
     vec3 direction = vec3(turnedBy(shaded.turn, each.x, each.y), each.z);
-    float visible = ballOpen(axes, direction, each.w);
+    float visible = openTo(each.w * alongAxes(axes, direction));
     open += visible * direction;
     whole += direction;
     count += visible;

@@ -2,6 +2,7 @@
 // The openness of bent_ball.frag alone.
 #include "screen/harness.glsl"
 #include "screen/bent.glsl"
+#include "screen/march_to.glsl"
 #include "screen/bent_points.glsl"
 
 float estimate(Shaded shaded) { return ballBent(shaded).share; }

@@ -3,6 +3,8 @@
 // Camera axes: x to the right, y down, z along the view; depth z is 0 on the plane of FrameUniforms::planePoint.
 const int kMostScreenSamples = 256;
 const int kConeAngles = 8;        // of the convolved skies
+const int kSkyCells = 96;         // of the sky that directions are drawn from, and
+const int kCellDraws = 16;        // directions in each
 const float kNothingSeen = 1e9f;  // depth of a pixel that shows no surface
 
 struct ScreenUniforms {

@@ -29,8 +29,8 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
       "octants: the same, read above the surface;\n"
       "combined: the octants as one number;\nnone: a head light, nothing swept;\n"
       "from the screen: crytek, hbao, gtao, bitmask, ssdo,\ngpu-sphere, gpu-hemisphere, gpu-importance, gpu-tangent,\n"
-      "gpu-disk, szirmay10-containment, szirmay10-volumetric,\nloos10-point, -line, -area, klehm11 (default: "
-      "ordinates)");
+      "gpu-disk, szirmay10-containment, szirmay10-volumetric,\nloos10-point, -line, -area, klehm11,\nenv-importance "
+      "(default: ordinates)");
   group.value(
       "--quality", "LEVEL",
       [&occlusion](const std::string& option, const std::string& text) {

@@ -122,8 +122,8 @@ void addBentOptions(OptionGroup& group, ScreenRequest& screen) {
       [&screen](const std::string& option, const std::string& text) {
         screen.steps = parseCount(option, text, 0, kMostScreenSteps);
       },
-      fmt::format("crytek-3d: further points on the way to each sample,\n0 to {} (default: {})", kMostScreenSteps,
-                  ScreenOcclusion().steps));
+      fmt::format("crytek-3d, env-importance: further points on the way to\neach sample, 0 to {} (default: {})",
+                  kMostScreenSteps, ScreenOcclusion().steps));
 }
 
 }  // namespace

@@ -99,7 +99,8 @@ void checkBent(const ScreenRequest& request, const ScreenOcclusion& screen) {
   needReader(request.bent.has_value(), bent, "--bent", "klehm11", found);
   needReader(request.geometricTerm.has_value(), bent && hasCone(screen.bent), "--bent-term",
              "klehm11 with --bent cone or cap", found);
-  needReader(request.steps.has_value(), readsSteps(screen), "--ao-steps", "klehm11 with --bent-from crytek-3d", found);
+  needReader(request.steps.has_value(), readsSteps(screen), "--ao-steps",
+             "env-importance, or klehm11 with --bent-from crytek-3d", found);
   if (!readsNeighbourhood(screen)) checkSwept(request);
 }
 
@@ -114,8 +115,8 @@ void checkScreenLight(const ScreenRequest& request, const LightingRequest& light
   if (!request.estimator || !option) return;
   const char* name = screenEstimatorName(*request.estimator);
   if (!readsSky(*request.estimator))
-    throw UsageError(
-        fmt::format("{}: expected with openness by sweeps or klehm11, found --occlusion {}", option, name));
+    throw UsageError(fmt::format(
+        "{}: expected with openness by sweeps, klehm11, ssdo or env-importance, found --occlusion {}", option, name));
   const auto refuse = [name](bool given, const char* what) {
     if (given)
       throw UsageError(

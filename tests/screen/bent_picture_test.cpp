@@ -115,6 +115,29 @@ TEST_F(BentPictures, ConvexSolidReceivesWhatItsNormalSays) {
     }
 }
 
+TEST_F(BentPictures, SumsOverDirectionsReceiveTheSame) {
+  // On the ball ssdo and importance sampling add up to 1 + (2/3) N as well, to three percent with 64 samples.
+  GlScene ball = makeSphere();
+  ball.worldFromGrid = glm::rotate(glm::dmat4(1), 0.8, glm::normalize(glm::dvec3(1, -2, 0.5)));
+  const glm::dmat3 axesFromWorld = glm::transpose(glm::dmat3(ball.worldFromGrid));
+  for (const ScreenEstimator estimator : {ScreenEstimator::ssdo, ScreenEstimator::envImportance}) {
+    RenderSettings settings = bentSettings(BentSource::hbao, BentLight::none, linearSky());
+    settings.screen->estimator = estimator;
+    settings.screen->radiusWorld = 3;
+    settings.screen->samples = 64;
+    const Frame frame = draw(ball, frameScene(ball), settings);
+    double squares = 0, count = 0;
+    for (std::size_t i = 0; i < frame.light.size(); ++i) {
+      if (!std::isfinite(frame.depth[i])) continue;
+      const glm::dvec3 want = 1.0 + 2.0 / 3 * (axesFromWorld * glm::dvec3(frame.normal[i]));
+      squares += glm::dot(glm::dvec3(frame.light[i]) - want, glm::dvec3(frame.light[i]) - want);
+      count += 1;
+    }
+    ASSERT_GT(count, 2000);
+    EXPECT_LT(std::sqrt(squares / count), 0.03) << screenEstimatorName(estimator);
+  }
+}
+
 /// Closed directions at the foot of a wall: see wallTruth() in bent_test.cpp; here of crytek-3d.
 glm::dvec4 bendBeforeWall(double a) {
   constexpr int kPoints = 200;

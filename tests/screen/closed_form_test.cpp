@@ -104,6 +104,7 @@ double wallTruth(const ScreenOcclusion& settings, double a) {
       return 1 - 0.5 * (1 - a + a * std::log(a));
     case ScreenEstimator::gtao:
     case ScreenEstimator::bitmask:
+    case ScreenEstimator::envImportance:
       return besideWall(Membership::classical, a);
     case ScreenEstimator::ssdo:
       return besideWall(Membership::linear, a);

@@ -7,6 +7,7 @@ isolume_test(test_screen
   ${screen}/orderings_test.cpp
   ${screen}/picture_test.cpp
   ${screen}/point_sets_test.cpp
+  ${screen}/sky_light_test.cpp
   ${screen}/sky_test.cpp
   ${screen}/../gl/gl_scene.cpp
   LIBS isolume_raymarch isolume_sweep isolume_volumes)
