@@ -20,6 +20,7 @@ const std::vector<ProgramVariant>& programVariants() {
       {"screen_bitmask", "shaders/fullscreen.vert", "shaders/screen/bitmask.frag"},
       {"screen_closed_ball", "shaders/fullscreen.vert", "shaders/screen/closed_ball.frag"},
       {"screen_closed_disk", "shaders/fullscreen.vert", "shaders/screen/closed_disk.frag"},
+      {"screen_closed_swept", "shaders/fullscreen.vert", "shaders/screen/closed_swept.frag"},
       {"screen_composite", "shaders/fullscreen.vert", "shaders/screen/composite.frag"},
       {"screen_disk", "shaders/fullscreen.vert", "shaders/screen/disk.frag"},
       {"screen_filter", "shaders/fullscreen.vert", "shaders/screen/filter.frag"},

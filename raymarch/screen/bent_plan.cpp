@@ -22,9 +22,8 @@ std::vector<glm::vec4> bentSamples(int samples) {
 
 ScreenPlan planBent(const ScreenOcclusion& settings) {
   ScreenPlan plan;
-  const bool swept = settings.bentFrom == BentSource::sweep;
   const bool cone = hasCone(settings.bent);
-  plan.bentLight = settings.sky || swept || (cone && settings.geometricTerm);
+  plan.bentLight = settings.sky || (cone && settings.geometricTerm);
   const bool bent = plan.bentLight && settings.bent != BentLight::none;
   if (plan.bentLight) plan.sky.cones = cone ? kConeAngles : 1;
   switch (settings.bentFrom) {
@@ -41,7 +40,7 @@ ScreenPlan planBent(const ScreenOcclusion& settings) {
       plan.march = marchCounts(ScreenEstimator::hbao, settings.samples);
       break;
     case BentSource::sweep:
-      plan.program = "screen_swept";
+      plan.program = bent ? "screen_swept" : "screen_closed_swept";
       break;
   }
   return plan;

@@ -178,12 +178,13 @@ void ScreenPass::drawGBuffer(glm::vec2 sampleOffset, BeamPass& beams, const Scen
   glDisable(GL_SCISSOR_TEST);
 }
 
-const GlTexture& ScreenPass::drawLight(const ScreenPlan& plan, bool filtered, const SceneTextures& scene) {
+const GlTexture& ScreenPass::drawLight(const ScreenOcclusion& settings, const ScreenPlan& plan, bool filtered,
+                                       const SceneTextures& scene) {
   glBindTextureUnit(kDepthUnit, images_.depth.name());
   glBindTextureUnit(kNormalUnit, images_.normal.name());
   glBindTextureUnit(kLevelUnit, scene.level.name());
   glBindTextureUnit(kHeightUnit, heights_.name());
-  if (plan.program == "screen_swept")
+  if (!readsNeighbourhood(settings))
     for (std::size_t i = 0; i < kSweptFields; ++i)
       glBindTextureUnit(kSweptUnit + static_cast<GLuint>(i), scene.lights[i].name());
   if (plan.moments) makeMoments();
@@ -229,7 +230,7 @@ void ScreenPass::draw(const Camera& camera, const RenderSettings& settings, cons
     glNamedBufferSubData(screenBuffer_.name(), 0, sizeof(uniforms), &uniforms);
     setSamples(plan.samples);
     drawGBuffer(offset, beams, scene);
-    const GlTexture& light = drawLight(plan, filtered, scene);
+    const GlTexture& light = drawLight(occlusion, plan, filtered, scene);
     glBindTextureUnit(kLightUnit, light.name());
     if (occlusion.indirect) {
       shader::ScreenUniforms around = uniforms;

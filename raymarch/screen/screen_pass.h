@@ -61,7 +61,8 @@ class ScreenPass {
   /// After the light, which is bound; leaves its own texture bound.
   void drawIndirect(const ScreenOcclusion& settings, bool filtered);
   /// Light of one sample; returns the image that holds it, one of two.
-  const GlTexture& drawLight(const ScreenPlan& plan, bool filtered, const SceneTextures& scene);
+  const GlTexture& drawLight(const ScreenOcclusion& settings, const ScreenPlan& plan, bool filtered,
+                             const SceneTextures& scene);
 
   std::map<std::string, GlProgram> programs_;
   GlBuffer screenBuffer_ = GlBuffer::create(), sampleBuffer_ = GlBuffer::create();

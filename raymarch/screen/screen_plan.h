@@ -15,6 +15,7 @@ struct SkyNeeds {
   int cones = 0;  ///< of the convolved skies of sky_convolution.h so many, the widest: 0, 1 or kConeAngles
   bool radiance = false;
   bool draws = false;  ///< the table of sky_draws.h
+  bool operator==(const SkyNeeds&) const = default;
 };
 
 struct ScreenPlan {

@@ -50,6 +50,7 @@ void SkyTextures::makeDraws(const SkyCube& sky) {
 }
 
 void SkyTextures::use(const std::shared_ptr<const SkyCube>& sky, const SkyNeeds& needs) {
+  if (needs == SkyNeeds{}) return;  // the sky of the picture before stays
   if (!made_ || sky != sky_) *this = SkyTextures();
   made_ = true;
   sky_ = sky;
