@@ -30,28 +30,28 @@ vec4 importanceLight(Shaded shaded) {
   for (int cell = 0; cell < kSkyCells; ++cell) total += skyTexel(cell, 0).w * cellFacing(normal, skyTexel(cell, 0));
   int count = marchCounts().x;
   float apart = total / float(count);
-  float next = shaded.jitter * apart;
+  int cell = -1;
+  float facing = 0.0f;
   float reached = 0.0f;
-  int drawn = 0;
   vec3 open = vec3(0.0f);
   float visible = 0.0f;
   float whole = 0.0f;
-  for (int cell = 0; cell < kSkyCells; ++cell) {
-    vec4 middle = skyTexel(cell, 0);
-    float facing = cellFacing(normal, middle);
-    reached += middle.w * facing;
-    for (; drawn < count && next < reached; next += apart) {
-      int pick = int(fract(shaded.jitter + kGoldenShare * float(drawn)) * float(kCellDraws));
-      vec4 direction = skyTexel(cell, 1 + 2 * pick);
-      vec4 color = skyTexel(cell, 2 + 2 * pick);
-      vec3 towards = vec3(direction.x, direction.y, direction.z);
-      float share = max(dot(normal, towards), 0.0f) / facing;
-      float seen = share > 0.0f ? share * openTo(frameDirection(towards)) : 0.0f;
-      open += seen * vec3(color.x, color.y, color.z);
-      visible += seen;
-      whole += share;
-      ++drawn;
+  // Every pixel takes its samples together with its neighbours, though from other cells: what is costly does not diverge.
+  for (int i = 0; i < count; ++i) {
+    while (reached <= (float(i) + shaded.jitter) * apart && cell < kSkyCells - 1) {
+      ++cell;
+      facing = cellFacing(normal, skyTexel(cell, 0));
+      reached += skyTexel(cell, 0).w * facing;
     }
+    int pick = int(fract(shaded.jitter + kGoldenShare * float(i)) * float(kCellDraws));
+    vec4 direction = skyTexel(cell, 1 + 2 * pick);
+    vec4 color = skyTexel(cell, 2 + 2 * pick);
+    vec3 towards = vec3(direction.x, direction.y, direction.z);
+    float share = facing > 0.0f ? max(dot(normal, towards), 0.0f) / facing : 0.0f;
+    float seen = share > 0.0f ? share * openTo(frameDirection(towards)) : 0.0f;
+    open += seen * vec3(color.x, color.y, color.z);
+    visible += seen;
+    whole += share;
   }
   if (whole <= 0.0f) return vec4(0.0f, 0.0f, 0.0f, 1.0f);
   float scale = normalisedBySamples() ? luminanceOf(openLight(normal)) / whole : apart * kOverPi;
