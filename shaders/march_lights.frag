@@ -2,22 +2,13 @@
 // Light as sweeps give it, at the samples around the hit (sweep/ordinates), times its colour.
 #include "lib/disc_light.glsl"
 #include "march/light_counts.glsl"
+#include "march/light_at.glsl"
 #include "march/scene.glsl"
 #include "shared/light_uniforms.h"
 #include "march/suns.glsl"
 
 layout(std140, binding = 1) uniform LightBlock { LightUniforms lights; };
 layout(binding = 8) uniform sampler2DArray lightTextures[max(kLightFields, 1)];
-
-// Trilinear, weighed by hand: filters round their weights to 8 bits. All corners of a cell that the surface crosses hold
-// a value, and so do all solid samples on the border, where caps are hit.
-float lightAt(sampler2DArray field, vec2 centre, float layer, vec3 weight) {
-  vec4 sides[2];
-  for (int z = 0; z < 2; ++z) sides[z] = textureGather(field, vec3(centre, layer + float(z))).wzxy;
-  vec4 texels = mix(sides[0], sides[1], weight.z);
-  vec2 alongX = mix(texels.xz, texels.yw, weight.x);
-  return mix(alongX.x, alongX.y, weight.y);
-}
 
 vec3 hitLight(vec3 hit, vec3 normal, vec3 viewer) {
   vec3 low = min(floor(hit), vec3(frame.gridSize.xyz - 2));

@@ -34,6 +34,38 @@ const char* screenEstimatorName(ScreenEstimator estimator) {
       return "gtao";
     case ScreenEstimator::bitmask:
       return "bitmask";
+    case ScreenEstimator::klehm11:
+      return "klehm11";
+    case ScreenEstimator::envImportance:
+      return "env-importance";
+  }
+  return nullptr;
+}
+
+const char* bentSourceName(BentSource source) {
+  switch (source) {
+    case BentSource::crytek2d:
+      return "crytek-2d";
+    case BentSource::crytek3d:
+      return "crytek-3d";
+    case BentSource::hbao:
+      return "hbao";
+    case BentSource::sweep:
+      return "sweep";
+  }
+  return nullptr;
+}
+
+const char* bentLightName(BentLight light) {
+  switch (light) {
+    case BentLight::none:
+      return "none";
+    case BentLight::normal:
+      return "normal";
+    case BentLight::cone:
+      return "cone";
+    case BentLight::cap:
+      return "cap";
   }
   return nullptr;
 }
@@ -44,14 +76,38 @@ std::array<ScreenEstimator, kScreenEstimators> screenEstimators() {
   return all;
 }
 
-bool readsCharacteristic(ScreenEstimator estimator) {
-  return estimator != ScreenEstimator::loosArea && estimator != ScreenEstimator::hbao &&
-         estimator != ScreenEstimator::gtao && estimator != ScreenEstimator::bitmask;
+bool readsCharacteristic(const ScreenOcclusion& settings) {
+  switch (settings.estimator) {
+    case ScreenEstimator::loosArea:
+    case ScreenEstimator::hbao:
+    case ScreenEstimator::gtao:
+    case ScreenEstimator::bitmask:
+      return false;
+    case ScreenEstimator::klehm11:
+      return settings.bentFrom == BentSource::crytek3d;
+    default:
+      return true;
+  }
+}
+
+bool readsSky(ScreenEstimator estimator) {
+  return estimator == ScreenEstimator::klehm11 || estimator == ScreenEstimator::ssdo ||
+         estimator == ScreenEstimator::envImportance;
+}
+
+bool readsNeighbourhood(const ScreenOcclusion& settings) {
+  return settings.estimator != ScreenEstimator::klehm11 || settings.bentFrom != BentSource::sweep;
+}
+
+bool readsSteps(const ScreenOcclusion& settings) {
+  return settings.estimator == ScreenEstimator::envImportance ||
+         (settings.estimator == ScreenEstimator::klehm11 && settings.bentFrom == BentSource::crytek3d);
 }
 
 bool readsThickness(const ScreenOcclusion& settings) {
   if (settings.estimator == ScreenEstimator::bitmask || settings.estimator == ScreenEstimator::loosArea) return true;
-  return readsCharacteristic(settings.estimator) && settings.surface == Characteristic::zBuffer;
+  if (settings.estimator == ScreenEstimator::klehm11 && settings.bentFrom == BentSource::crytek2d) return true;
+  return readsCharacteristic(settings) && settings.surface == Characteristic::zBuffer;
 }
 
 std::vector<Membership> takenMemberships(ScreenEstimator estimator) {
@@ -76,6 +132,7 @@ bool readsNormalisation(ScreenEstimator estimator) {
     case ScreenEstimator::gpuImportance:
     case ScreenEstimator::szirmayContainment:
     case ScreenEstimator::loosPoint:
+    case ScreenEstimator::klehm11:
       return false;
     default:
       return true;

@@ -20,16 +20,25 @@
 //   ssdo                  directions evenly, times the cosine; distances evenly: mu = r / R [Ritschel09]
 //   gtao                  horizons with the cosine; every occluder within R counts          [Jimenez16]
 //   bitmask               the same in sectors, with a thickness                             [Therrien23]
-// ssdo is drawn under an even sky, where only how much is open counts, not from where.
-// gpu-tangent departs from the paper, whose sum is 2 * integral of mu over [0, 1] on an open plane (1/2 for mu = r^3, 1
-// for mu = r): here it is divided by that.
+//   klehm11               bent normals and cones beside openness, by one of these           [Klehm11]
+//     crytek-2d             points of the disk in the tangent plane: closed by what is seen above that plane
+//     crytek-3d             points of the half ball, with steps on the way: mu = (r / R)^3, no cosine
+//     hbao                  as hbao; what it closes of a hemisphere has its mean direction in closed form
+//     sweep                 openness and mean open direction from the volume (sweep/ordinates), no neighbourhood
+//   env-importance        directions by the sky's luminance times the cosine, open or not within R
+// Light: openness under an even sky, unless a sky is given (sky_cube.h). Under it klehm11 looks up what its bent normal
+// or cone receives (bent_light.glsl); ssdo and env-importance sum the radiance from where it is open; no other
+// estimator takes one. gpu-tangent departs from the paper, whose sum is 2 * integral of mu over [0, 1] on an open plane
+// (1/2 for mu = r^3, 1 for mu = r): here it is divided by that.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "raymarch/screen/sky_cube.h"
 #include "sweep/reference/membership.h"
 
 namespace isolume {
@@ -50,8 +59,23 @@ enum class ScreenEstimator {
   ssdo,
   gtao,
   bitmask,
+  klehm11,
+  envImportance,
 };
-inline constexpr int kScreenEstimators = 15;
+inline constexpr int kScreenEstimators = 17;
+
+/// What klehm11 takes openness and mean open direction from.
+enum class BentSource { crytek2d, crytek3d, hbao, sweep };
+
+/// What klehm11 looks the sky up by; the values are those of shaders/screen/bent_light.glsl.
+enum class BentLight {
+  none,    ///< the normal: openness alone, the baseline of the paper
+  normal,  ///< the bent normal
+  cone,    ///< the bent cone, with the paper's angle
+  cap,     ///< the bent cone whose cap has that mean direction: closer to the truth where light changes sharply
+};
+/// Whether it looks the sky up within a cone.
+inline bool hasCone(BentLight light) { return light == BentLight::cone || light == BentLight::cap; }
 
 /// Which points are outside ([Szirmay10] Fig. 2); the values are those of shaders/screen/characteristic.glsl.
 enum class Characteristic {
@@ -62,6 +86,7 @@ enum class Characteristic {
 
 inline constexpr int kMostScreenSamples = 256;
 inline constexpr int kMostInterleaving = 8;
+inline constexpr int kMostScreenSteps = 3;
 
 struct ScreenOcclusion {
   ScreenEstimator estimator = ScreenEstimator::szirmayVolumetric;
@@ -76,14 +101,28 @@ struct ScreenOcclusion {
   std::optional<double> thicknessWorld = {};  ///< z-buffer: solids end that far behind what is seen; none: never
   bool indirect = false;  ///< what is closed receives the neighbourhood's mean radiance ([SzirmayGpu] Sec. 2)
   std::optional<double> secondRadius = {};  ///< loos10: the product with that of another radius, in radii
+  BentSource bentFrom = BentSource::crytek3d;
+  BentLight bent = BentLight::cone;
+  bool geometricTerm = false;  ///< cone, cap: with the heuristic of [Klehm11] Sec. 3.4
+  int steps =
+      3;  ///< klehm11 by crytek-3d, env-importance: further points on the way to each sample, 0 to kMostScreenSteps
+  std::shared_ptr<const SkyCube> sky = {};  ///< none: an even one of radiance 1
 };
 
 const char* screenEstimatorName(ScreenEstimator estimator);
+const char* bentSourceName(BentSource source);
+const char* bentLightName(BentLight light);
 std::array<ScreenEstimator, kScreenEstimators> screenEstimators();
 
 /// Whether the estimator asks a characteristic function: those that march from horizon to horizon know pixels alone.
-bool readsCharacteristic(ScreenEstimator estimator);
+bool readsCharacteristic(const ScreenOcclusion& settings);
 bool readsThickness(const ScreenOcclusion& settings);
+/// Whether it tells where light comes from, and so takes a sky.
+bool readsSky(ScreenEstimator estimator);
+/// Whether it looks at the neighbourhood: klehm11 by sweeps reads one place of the volume.
+bool readsNeighbourhood(const ScreenOcclusion& settings);
+/// Whether it tests points on the way to its samples.
+bool readsSteps(const ScreenOcclusion& settings);
 /// The membership functions that it takes; none where mu is its own.
 std::vector<Membership> takenMemberships(ScreenEstimator estimator);
 /// Whether its sum is divided by a volume (or a light) that is known exactly as well as by the samples.

@@ -20,11 +20,12 @@ namespace {
 
 // Units and bindings as in the shaders.
 constexpr GLuint kDepthUnit = 0, kNormalUnit = 1, kLightUnit = 2, kLevelUnit = 3, kHeightUnit = 4, kMomentUnit = 5,
-                 kRadianceUnit = 6, kBeamUnit = 7;
+                 kRadianceUnit = 6, kBeamUnit = 7, kSweptUnit = 9;
 constexpr GLuint kScreenBinding = 1, kSampleBinding = 2;
 constexpr int kTriangle = 3;
+constexpr std::size_t kSweptFields = 4;
 
-void checkScreen(const ScreenOcclusion& settings) {
+void checkScreen(const ScreenOcclusion& settings, const SceneTextures& scene) {
   const auto require = [](bool good, const char* what, double found) {
     if (!good) throw GpuError(fmt::format("screen-space occlusion: expected {}, found {}", what, found));
   };
@@ -36,6 +37,11 @@ void checkScreen(const ScreenOcclusion& settings) {
           settings.thicknessWorld.value_or(0));
   require(!settings.secondRadius || *settings.secondRadius > 0, "a second radius above 0",
           settings.secondRadius.value_or(0));
+  require(settings.steps >= 0 && settings.steps <= kMostScreenSteps, "0 to 3 steps", settings.steps);
+  require(!settings.sky || readsSky(settings.estimator), "a sky with an estimator that takes one",
+          static_cast<double>(settings.estimator));
+  require(readsNeighbourhood(settings) || scene.lights.size() == kSweptFields, "openness and three components swept",
+          static_cast<double>(scene.lights.size()));
   const std::vector<Membership> taken = takenMemberships(settings.estimator);
   const bool takes = taken.empty() || std::find(taken.begin(), taken.end(), settings.membership) != taken.end();
   require(takes, "a membership function that the estimator takes", static_cast<double>(settings.membership));
@@ -172,17 +178,27 @@ void ScreenPass::drawGBuffer(glm::vec2 sampleOffset, BeamPass& beams, const Scen
   glDisable(GL_SCISSOR_TEST);
 }
 
-GLuint ScreenPass::drawLight(const ScreenPlan& plan, bool filtered, const SceneTextures& scene) {
+const GlTexture& ScreenPass::drawLight(const ScreenOcclusion& settings, const ScreenPlan& plan, bool filtered,
+                                       const SceneTextures& scene) {
   glBindTextureUnit(kDepthUnit, images_.depth.name());
   glBindTextureUnit(kNormalUnit, images_.normal.name());
   glBindTextureUnit(kLevelUnit, scene.level.name());
   glBindTextureUnit(kHeightUnit, heights_.name());
+  if (!readsNeighbourhood(settings))
+    for (std::size_t i = 0; i < kSweptFields; ++i)
+      glBindTextureUnit(kSweptUnit + static_cast<GLuint>(i), scene.lights[i].name());
   if (plan.moments) makeMoments();
   drawPass(plan.program, images_.estimate, images_.size);
-  if (!filtered) return images_.light.name();
-  glBindTextureUnit(kLightUnit, images_.light.name());
-  drawPass("screen_filter", images_.filter, images_.size);
-  return images_.filtered.name();
+  // Each pass goes from one of two images to the other.
+  bool inFiltered = false;
+  const auto pass = [&](const char* name) {
+    glBindTextureUnit(kLightUnit, inFiltered ? images_.filtered.name() : images_.light.name());
+    drawPass(name, inFiltered ? images_.estimate : images_.filter, images_.size);
+    inFiltered = !inFiltered;
+  };
+  if (filtered) pass("screen_filter");
+  if (plan.bentLight) pass("screen_bent_light");
+  return inFiltered ? images_.filtered : images_.light;
 }
 
 void ScreenPass::drawIndirect(const ScreenOcclusion& settings, bool filtered) {
@@ -199,12 +215,13 @@ void ScreenPass::drawIndirect(const ScreenOcclusion& settings, bool filtered) {
 void ScreenPass::draw(const Camera& camera, const RenderSettings& settings, const shader::FrameUniforms& frame,
                       const SceneTextures& scene, BeamPass& beams, const ScreenTarget& target) {
   const ScreenOcclusion& occlusion = settings.screen.value();
-  checkScreen(occlusion);
+  checkScreen(occlusion, scene);
   const ScreenPlan plan = planScreen(occlusion);
-  const bool filtered = occlusion.filter && occlusion.interleaving > 1;
+  const bool filtered = occlusion.filter && occlusion.interleaving > 1 && readsNeighbourhood(occlusion);
   reserve(settings.size, settings.layers || scene.colors);
   colored_ = static_cast<bool>(scene.colors);
-  if (readsCharacteristic(occlusion.estimator) && occlusion.surface == Characteristic::heightField) makeHeights(scene);
+  sky_.use(occlusion.sky, plan.sky);
+  if (readsCharacteristic(occlusion) && occlusion.surface == Characteristic::heightField) makeHeights(scene);
   if (colored_) glBindTextureUnit(kColorPositionUnit, images_.position.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, kScreenBinding, screenBuffer_.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, kSampleBinding, sampleBuffer_.name());
@@ -215,20 +232,20 @@ void ScreenPass::draw(const Camera& camera, const RenderSettings& settings, cons
     glNamedBufferSubData(screenBuffer_.name(), 0, sizeof(uniforms), &uniforms);
     setSamples(plan.samples);
     drawGBuffer(offset, beams, scene);
-    const GLuint light = drawLight(plan, filtered, scene);
-    glBindTextureUnit(kLightUnit, light);
+    const GlTexture& light = drawLight(occlusion, plan, filtered, scene);
+    glBindTextureUnit(kLightUnit, light.name());
     if (occlusion.indirect) {
       shader::ScreenUniforms around = uniforms;
       around.size.z = occlusion.samples;
       glNamedBufferSubData(screenBuffer_.name(), 0, sizeof(around), &around);
       drawIndirect(occlusion, filtered);
-      glBindTextureUnit(kLightUnit, light);
+      glBindTextureUnit(kLightUnit, light.name());
     }
     if (i > 0) glEnablei(GL_BLEND, 0);
     drawPass("screen_composite", images_.composite, settings.size);
     glDisablei(GL_BLEND, 0);
     if (i > 0 || !settings.layers) continue;
-    readTexture(filtered ? images_.filtered : images_.light, settings.size, target.lights);
+    readTexture(light, settings.size, target.lights);
     readTexture(images_.normal, settings.size, target.normals);
     readTexture(images_.position, settings.size, target.positions);
   }

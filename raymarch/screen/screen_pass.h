@@ -21,6 +21,7 @@
 #include "raymarch/scene_textures.h"
 #include "raymarch/screen/depth_moments.h"
 #include "raymarch/screen/screen_plan.h"
+#include "raymarch/screen/sky_textures.h"
 
 namespace isolume {
 
@@ -58,8 +59,9 @@ class ScreenPass {
   void setSamples(const std::vector<glm::vec4>& samples);
   /// After the light, which is bound; leaves its own texture bound.
   void drawIndirect(const ScreenOcclusion& settings, bool filtered);
-  /// Light of one sample; returns the texture that holds it.
-  GLuint drawLight(const ScreenPlan& plan, bool filtered, const SceneTextures& scene);
+  /// Light of one sample; returns the image that holds it, one of two.
+  const GlTexture& drawLight(const ScreenOcclusion& settings, const ScreenPlan& plan, bool filtered,
+                             const SceneTextures& scene);
 
   std::map<std::string, GlProgram> programs_;
   bool colored_ = false;  ///< whether they read the colours of the scene; of one pass always the same
@@ -67,6 +69,7 @@ class ScreenPass {
   GlTexture heights_;  ///< R32F, one texel per column: 4 B each
   Images images_;
   DepthMoments moments_;  ///< of loos10-area
+  SkyTextures sky_;
 };
 
 }  // namespace isolume

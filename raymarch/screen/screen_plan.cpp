@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "raymarch/screen/bent_plan.h"
 #include "raymarch/screen/point_sets.h"
 #include "raymarch/screen/repulsion_sets.h"
 
@@ -159,7 +160,7 @@ std::vector<glm::vec4> indirectSamples(const ScreenOcclusion& settings) {
 }
 
 glm::ivec2 marchCounts(ScreenEstimator estimator, int samples) {
-  const int sides = estimator == ScreenEstimator::hbao ? 1 : 2;
+  const int sides = estimator == ScreenEstimator::gtao || estimator == ScreenEstimator::bitmask ? 2 : 1;
   const int directions = std::max(1, static_cast<int>(std::lround(std::sqrt(samples / sides))));
   return {directions, std::max(1, samples / (sides * directions))};
 }
@@ -180,6 +181,13 @@ ScreenPlan planScreen(const ScreenOcclusion& settings) {
       return {"screen_area", diskSamples(settings), {}, true};
     case ScreenEstimator::loosLine:
       return {"screen_line", diskSamples(settings), {}, false};
+    case ScreenEstimator::klehm11:
+      return planBent(settings);
+    case ScreenEstimator::ssdo:
+      if (!settings.sky) return {"screen_points", pointSamples(settings), {}, false};
+      return {"screen_ssdo", pointSamples(settings), {}, false, false, {.radiance = true}};
+    case ScreenEstimator::envImportance:
+      return {"screen_importance", {}, {settings.samples, 0}, false, false, {.cones = 1, .draws = true}};
     default:
       return {"screen_points", pointSamples(settings), {}, false};
   }

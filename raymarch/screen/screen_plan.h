@@ -10,11 +10,21 @@
 
 namespace isolume {
 
+/// What is looked up of the sky.
+struct SkyNeeds {
+  int cones = 0;  ///< of the convolved skies of sky_convolution.h so many, the widest: 0, 1 or kConeAngles
+  bool radiance = false;
+  bool draws = false;  ///< the table of sky_draws.h
+  bool operator==(const SkyNeeds&) const = default;
+};
+
 struct ScreenPlan {
   std::string program;             ///< of program_variants.h
   std::vector<glm::vec4> samples;  ///< as the program's estimator reads them; none for those that march
   glm::ivec2 march{0};             ///< directions, and steps along each; 0 where there are samples
   bool moments = false;            ///< whether it reads the moments of the depths (depth_moments.h)
+  bool bentLight = false;          ///< whether screen_bent_light looks its result up in the sky (bent_plan.h)
+  SkyNeeds sky = {};
 };
 
 ScreenPlan planScreen(const ScreenOcclusion& settings);

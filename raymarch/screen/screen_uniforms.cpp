@@ -34,7 +34,9 @@ shader::ScreenUniforms makeScreenUniforms(const shader::FrameUniforms& frame, co
   uniforms.size = glm::ivec4(size, static_cast<int>(plan.samples.size()), settings.interleaving);
   uniforms.modes = glm::ivec4(static_cast<int>(settings.surface), settings.normalisedBySamples ? 1 : 0,
                               settings.clampedToTangent ? 1 : 0, settings.indirect ? 1 : 0);
-  uniforms.march = glm::ivec4(plan.march, 0, 0);
+  constexpr int kWithTerm = 4;  // of shaders/shared/screen_block.h
+  uniforms.march = glm::ivec4(plan.march, settings.steps,
+                              static_cast<int>(settings.bent) + (settings.geometricTerm ? kWithTerm : 0));
   return uniforms;
 }
 

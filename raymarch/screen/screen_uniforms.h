@@ -7,6 +7,8 @@
 #include "raymarch/camera.h"
 #include "raymarch/frame_uniforms.h"
 #include "raymarch/screen/screen_plan.h"
+#include "raymarch/screen/sky_convolution.h"
+#include "raymarch/screen/sky_draws.h"
 #include "raymarch/view.h"
 
 namespace isolume {
@@ -19,6 +21,8 @@ static_assert(sizeof(ScreenUniforms) == 11 * 16);
 static_assert(offsetof(ScreenUniforms, depthRow) == 4 * 16);
 static_assert(offsetof(ScreenUniforms, size) == 8 * 16);
 static_assert(offsetof(ScreenUniforms, march) == 10 * 16);
+static_assert(kConeAngles == isolume::kConeAngles);
+static_assert(kSkyCells == isolume::kSkyCells && kCellDraws == isolume::kCellDraws);
 static_assert(sizeof(ScreenSamples) == kMostScreenSamples * 16);
 
 }  // namespace shader

@@ -14,6 +14,7 @@ Place place;
 int sampleCount() { return screen.size.z; }
 vec4 sampleAt(int i) { return sampleSet.samples[i]; }
 ivec2 marchCounts() { return screen.march.xy; }
+int marchSteps() { return screen.march.z; }
 bool normalisedBySamples() { return screen.modes.y != 0; }
 bool clampedToTangent() { return screen.modes.z != 0; }
 float seenThickness() { return screen.toX.w; }
@@ -68,6 +69,11 @@ Shaded shadedAt(ivec2 pixel) {
   float index = float(inPattern.y * screen.size.w + inPattern.x);
   float angle = kFullTurn * fract(index * kGolden);
   return Shaded(place.normal, vec2(cos(angle), sin(angle)), fract(index * kPlastic));
+}
+
+vec3 gridDirection(vec3 v) {
+  vec3 camera = alongAxes(place.axes, v);
+  return camera.x * screen.toX.xyz + camera.y * screen.toY.xyz + camera.z * screen.toZ.xyz;
 }
 
 vec3 cameraFromGrid(vec3 v) { return vec3(dot(screen.toX.xyz, v), dot(screen.toY.xyz, v), dot(screen.toZ.xyz, v)); }

@@ -3,6 +3,8 @@
 // ray away from the eye. The includer provides
 //   int sampleCount(), vec4 sampleAt(int)  the set of samples; what its members mean is up to the estimator
 //   ivec2 marchCounts()                    directions around the point, and steps along each
+//   int marchSteps()                       further points on the way to a sample; for march_to.glsl alone
+//   vec3 gridDirection(vec3 v)             from this frame to the axes of the grid, which the G-buffer's normals have
 //   bool normalisedBySamples()             whether a sum is divided by what the same samples give in the open
 //   bool clampedToTangent()                whether what lies behind the tangent plane is left out
 //   float outside(vec3 p)                  the characteristic function: 1 outside the solid, 0 inside

@@ -2,6 +2,9 @@
 // (raymarch/screen/screen_uniforms.h checks its layout). Lengths are in radii: one unit is the neighbourhood's radius.
 // Camera axes: x to the right, y down, z along the view; depth z is 0 on the plane of FrameUniforms::planePoint.
 const int kMostScreenSamples = 256;
+const int kConeAngles = 8;        // of the convolved skies
+const int kSkyCells = 96;         // of the sky that directions are drawn from, and
+const int kCellDraws = 16;        // directions in each
 const float kNothingSeen = 1e9f;  // depth of a pixel that shows no surface
 
 struct ScreenUniforms {
@@ -16,7 +19,8 @@ struct ScreenUniforms {
   ivec4 size;       // xy: pixels of the picture; z: samples; w: side of the interleaving pattern
   ivec4 modes;      // x: characteristic function; y: 1 normalised by the samples; z: 1 clamped to the tangent plane;
                     // w: 1 with light from the neighbourhood
-  ivec4 march;      // x: directions; y: steps along each
+  ivec4 march;      // x: directions; y: steps along each; z: further points on the way to a sample; w: BentLight,
+                    // and 4 with the geometric term
 };
 
 struct ScreenSamples {

@@ -29,7 +29,8 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
       "octants: the same, read above the surface;\n"
       "combined: the octants as one number;\nnone: a head light, nothing swept;\n"
       "from the screen: crytek, hbao, gtao, bitmask, ssdo,\ngpu-sphere, gpu-hemisphere, gpu-importance, gpu-tangent,\n"
-      "gpu-disk, szirmay10-containment, szirmay10-volumetric,\nloos10-point, -line, -area (default: ordinates)");
+      "gpu-disk, szirmay10-containment, szirmay10-volumetric,\nloos10-point, -line, -area, klehm11,\nenv-importance "
+      "(default: ordinates)");
   group.value(
       "--quality", "LEVEL",
       [&occlusion](const std::string& option, const std::string& text) {
@@ -200,12 +201,13 @@ void checkRenderOptions(const RenderJob& job) {
   if (!job.color.by.empty() && job.light.bounces.value_or(0) != 0)
     throw UsageError("--bounces: expected a surface of one albedo, found --color-by");
   const OcclusionMethod method = chooseOcclusion(job.occlusion).method;
-  const char* swept = givenOption(job.occlusion);
-  checkScreenRequest(job.screen, swept ? swept : givenOption(job.light));
-  if (job.screen.estimator && (job.layers.bent || job.layers.thickness || job.layers.irradiance))
-    throw UsageError(
-        fmt::format("--layers: expected ambient, normal, position or depth with --occlusion {}, found others",
-                    screenEstimatorName(*job.screen.estimator)));
+  checkScreenRequest(job.screen, givenOption(job.occlusion));
+  checkScreenLight(job.screen, job.light);
+  const bool openness = job.screen.estimator && !readsSky(*job.screen.estimator);
+  if (job.screen.estimator && (job.layers.bent || job.layers.thickness || (job.layers.irradiance && openness)))
+    throw UsageError(fmt::format("--layers: expected {}, normal, position or depth with --occlusion {}, found others",
+                                 openness ? "ambient" : "ambient, irradiance",
+                                 screenEstimatorName(*job.screen.estimator)));
   checkLighting(job.light, method);
   if (isTranslucent(job.light) && job.occlusion.refinement.value_or(1) != 1)
     throw UsageError(

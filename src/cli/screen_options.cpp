@@ -90,6 +90,42 @@ void addSamplingOptions(OptionGroup& group, ScreenRequest& screen) {
       "loos10: times the openness within so many radii");
 }
 
+void addBentOptions(OptionGroup& group, ScreenRequest& screen) {
+  Choices<BentSource> sources;
+  for (const BentSource each : {BentSource::crytek2d, BentSource::crytek3d, BentSource::hbao, BentSource::sweep})
+    sources.emplace_back(bentSourceName(each), each);
+  group.value(
+      "--bent-from", "NAME",
+      [&screen, sources](const std::string& option, const std::string& text) {
+        screen.bentFrom = parseChoice(option, text, sources);
+      },
+      "klehm11: where openness and bent normals come from:\ncrytek-2d, crytek-3d, hbao, or sweep, from the volume\n"
+      "(default: crytek-3d)");
+  Choices<BentLight> lights;
+  for (const BentLight each : {BentLight::none, BentLight::normal, BentLight::cone, BentLight::cap})
+    lights.emplace_back(bentLightName(each), each);
+  group.value(
+      "--bent", "NAME",
+      [&screen, lights](const std::string& option, const std::string& text) {
+        screen.bent = parseChoice(option, text, lights);
+      },
+      "klehm11: what light is looked up by: none, the normal;\nnormal, the bent normal; cone, the bent cone; cap, "
+      "one\nwith the exact angle of a cap (default: cone)");
+  group.value(
+      "--bent-term", "SWITCH",
+      [&screen](const std::string& option, const std::string& text) {
+        screen.geometricTerm = parseChoice(option, text, kSwitch);
+      },
+      "cone, cap: on or off: with the cosine between normal and\nbent normal (default: off)");
+  group.value(
+      "--ao-steps", "N",
+      [&screen](const std::string& option, const std::string& text) {
+        screen.steps = parseCount(option, text, 0, kMostScreenSteps);
+      },
+      fmt::format("crytek-3d, env-importance: further points on the way to\neach sample, 0 to {} (default: {})",
+                  kMostScreenSteps, ScreenOcclusion().steps));
+}
+
 }  // namespace
 
 void parseOcclusion(const std::string& option, const std::string& text, OcclusionRequest& occlusion,
@@ -113,6 +149,7 @@ void addScreenOptions(CLI::App& app, ScreenRequest& screen) {
   OptionGroup group(app, "Screen-space occlusion");
   addNeighbourhoodOptions(group, screen);
   addSamplingOptions(group, screen);
+  addBentOptions(group, screen);
 }
 
 }  // namespace isolume

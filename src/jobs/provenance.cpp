@@ -33,7 +33,8 @@ nlohmann::ordered_json pictureSettings(const RenderJob& job, const OcclusionSett
   nlohmann::ordered_json settings;
   settings["size"] = fmt::format("{}x{}", job.size.x, job.size.y);
   settings["samples"] = job.samples;
-  settings.update(screen ? screenSettings(*screen) : occlusionSettings(occlusion));
+  if (!screen || sweepsBent(job.screen)) settings.update(occlusionSettings(occlusion));
+  if (screen) settings.update(screenSettings(*screen));
   settings.update(lightingSettings(job.light));
   settings["normals"] = job.normals == NormalSource::data ? "data" : "distance";
   settings["gamma"] = job.gamma;

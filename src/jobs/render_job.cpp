@@ -21,6 +21,7 @@
 #include "src/jobs/lighting.h"
 #include "src/jobs/provenance.h"
 #include "src/jobs/report.h"
+#include "src/jobs/screen_light.h"
 
 namespace isolume {
 namespace {
@@ -44,6 +45,7 @@ Shading shadingOf(OcclusionMethod method) {
 /// A file of fields is drawn from what it holds, its octants, if nothing else was asked for.
 OcclusionSetting occlusionOf(const RenderJob& job) {
   OcclusionRequest request = job.occlusion;
+  if (sweepsBent(job.screen)) return chooseOcclusion(request);
   if (job.screen.estimator) request.method = OcclusionMethod::none;
   if (!givenOption(request) && !givenOption(job.light) && isFieldsFile(job.surface.input))
     request.method = OcclusionMethod::octants;
@@ -120,22 +122,26 @@ std::size_t textureBytes(const SceneFields& fields) {
          (fields.color ? fields.color->places.count() * sizeof(float) : 0);
 }
 
-/// Stages `environment`, if there is a map, and `visibility`.
-SweptLighting lightScene(const RenderJob& job, const OcclusionSetting& occlusion, const SweptScene& scene,
-                         const Camera& camera, StageLog& log) {
+/// Stage `environment`, if there is a map.
+std::optional<EnvironmentMap> readMap(const RenderJob& job, StageLog& log) {
+  if (job.light.environment.empty()) return std::nullopt;
+  log.begin("environment", "reading " + job.light.environment);
+  EnvironmentMap map = readEnvironmentMap(job.light.environment);
+  log.end(map.radiance.size() * sizeof(glm::vec3));
+  return map;
+}
+
+/// Stage `visibility`, with ordinates.
+SweptLighting lightScene(const RenderJob& job, const OcclusionSetting& occlusion, const EnvironmentMap* map,
+                         const SweptScene& scene, const Camera& camera, StageLog& log) {
   if (occlusion.method != OcclusionMethod::ordinates) return {};
-  std::optional<EnvironmentMap> map;
-  if (!job.light.environment.empty()) {
-    log.begin("environment", "reading " + job.light.environment);
-    map = readEnvironmentMap(job.light.environment);
-    log.end(map->radiance.size() * sizeof(glm::vec3));
-  }
   LightingRequest request = job.light;
   request.bent = job.layers.bent;
   request.thickness = job.layers.thickness;
   log.begin("visibility", fmt::format("sweeping {} ordinates over {}", occlusion.ordinates.ordinates, gridText(scene)));
-  SweptLighting lighting =
-      sweepLighting(request, occlusion.ordinates, map ? &*map : nullptr, scene, camera, job.albedo.linear);
+  SweptLighting lighting = sweepsBent(job.screen)
+                               ? sweepForScreen(occlusion.ordinates, scene)
+                               : sweepLighting(request, occlusion.ordinates, map, scene, camera, job.albedo.linear);
   log.end(lighting.bytes());
   return lighting;
 }
@@ -151,7 +157,7 @@ void runRenderJob(const RenderJob& request) {
   StageLog log(job.run);
 
   OcclusionSetting occlusion = occlusionOf(job);
-  checkLighting(job.light, occlusion.method);
+  if (!job.screen.estimator) checkLighting(job.light, occlusion.method);
   if (occlusion.openPlane && isTranslucent(job.light))
     throw UsageError("--octant-terms open-plane: expected an opaque solid, found --opacity below 1");
   if (isTranslucent(job.light)) {
@@ -171,11 +177,15 @@ void runRenderJob(const RenderJob& request) {
   settleOpacity(job.light, scene.surface);
   const double aspect = static_cast<double>(job.size.x) / job.size.y;
   const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
-  SweptLighting lighting = lightScene(job, occlusion, scene, camera, log);
+  const std::optional<EnvironmentMap> map = readMap(job, log);
+  SweptLighting lighting = lightScene(job, occlusion, map ? &*map : nullptr, scene, camera, log);
   if (occlusion.method == OcclusionMethod::combined) lighting = combinedLight(job.light, scene.swept.visibility);
   std::optional<SurfaceColoring> coloring;
   if (!job.color.by.empty()) coloring = readColoring(job.color, solidCorners(scene.surface), log);
-  const RenderSettings settings = renderSettings(job, occlusion, lighting, scene, camera);
+  RenderSettings settings = renderSettings(job, occlusion, lighting, scene, camera);
+  if (settings.screen)
+    settings.screen->sky =
+        screenSky(job.light, map ? &*map : nullptr, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes);
   // Beside drawing: it reads the files once more and uses one core.
   std::vector<std::string> files = scene.surface.files;
   if (!job.light.environment.empty()) files.push_back(job.light.environment);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "raymarch/screen/screen_occlusion.h"
+#include "src/jobs/light_request.h"
 #include "src/jobs/surface.h"
 
 namespace isolume {
@@ -24,15 +25,25 @@ struct ScreenRequest {
   std::optional<bool> indirect = {};
   std::optional<double> thickness = {};     ///< world units
   std::optional<double> secondRadius = {};  ///< share of the radius
+  std::optional<BentSource> bentFrom = {};
+  std::optional<BentLight> bent = {};
+  std::optional<bool> geometricTerm = {};
+  std::optional<int> steps = {};
 };
 
 /// Occlusion within a tenth of a solid tells its parts from each other and costs no estimator its assumption that rays
 /// meet the solid once.
 inline constexpr double kScreenRadiusShare = 0.1;
 
-/// UsageError, one line, for options that the estimator does not read, or that are there without one. `other`: an
+/// UsageError, one line, for options that the estimator does not read, or that are there without one. `swept`: an
 /// option of openness by sweeps that was given, or nullptr.
-void checkScreenRequest(const ScreenRequest& request, const char* other);
+void checkScreenRequest(const ScreenRequest& request, const char* swept);
+
+/// UsageError for lights that the estimator does not read; nothing without an estimator.
+void checkScreenLight(const ScreenRequest& request, const LightingRequest& light);
+
+/// Whether bent normals come from the volume's sweeps.
+bool sweepsBent(const ScreenRequest& request);
 
 /// `corners` as of solidCorners(); they are world points, so the sides of the box are lengths. Nothing without
 /// estimator.

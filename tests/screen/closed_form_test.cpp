@@ -33,6 +33,11 @@ std::vector<ScreenOcclusion> allEstimators() {
   for (const ScreenEstimator each : screenEstimators()) {
     if (each == ScreenEstimator::loosArea) continue;  // has a test of its own
     all.push_back(many(each));
+    for (const BentSource source : {BentSource::crytek2d, BentSource::hbao}) {
+      if (each != ScreenEstimator::klehm11) break;
+      all.push_back(many(each));
+      all.back().bentFrom = source;
+    }
     if (!isLoos10(each)) continue;
     all.push_back(many(each));
     all.back().clampedToTangent = false;
@@ -91,10 +96,15 @@ double besideWall(Membership membership, double a) {
 /// What each estimator approximates before a wall at distance a.
 double wallTruth(const ScreenOcclusion& settings, double a) {
   switch (settings.estimator) {
+    case ScreenEstimator::klehm11:
+      if (settings.bentFrom == BentSource::crytek2d) return 1 - (1 - a) / 2;  // directions as of hbao, closed from a on
+      if (settings.bentFrom == BentSource::hbao) return 1 - 0.5 * (1 - a + a * std::log(a));
+      return 1 - (1 - a) * (1 - a) * (2 + a) / 4;  // of half a ball
     case ScreenEstimator::hbao:  // directions by solid angle have an x uniform in [-1, 1]; occluders weigh 1 - a / x
       return 1 - 0.5 * (1 - a + a * std::log(a));
     case ScreenEstimator::gtao:
     case ScreenEstimator::bitmask:
+    case ScreenEstimator::envImportance:
       return besideWall(Membership::classical, a);
     case ScreenEstimator::ssdo:
       return besideWall(Membership::linear, a);

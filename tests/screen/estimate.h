@@ -18,4 +18,12 @@ double estimateBy(const ScreenOcclusion& settings, const std::vector<glm::vec4>&
 double estimate(const ScreenOcclusion& settings, const Blocks& blocks, glm::dvec3 view, int turns = 32,
                 double roll = 0);
 
+/// Of klehm11, what it stores (shaders/screen/bent.glsl), in the scene's axes: the mean over turns.
+glm::dvec4 estimateBend(const ScreenOcclusion& settings, const Blocks& blocks, glm::dvec3 view, int turns = 32,
+                        double roll = 0);
+
+/// Of ssdo and env-importance: light under the settings' sky, whose axes are the scene's, and openness.
+glm::dvec4 estimateLight(const ScreenOcclusion& settings, const Blocks& blocks, glm::dvec3 view, int turns = 32,
+                         double roll = 0);
+
 }  // namespace isolume::test

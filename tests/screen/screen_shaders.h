@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "raymarch/screen/screen_plan.h"
+#include "raymarch/screen/sky_draws.h"
 
 namespace isolume::glsl {
 
@@ -20,13 +21,23 @@ struct Asked {
   ivec2 march{0};
   bool normalised = true, clamped = true;
   float thickness = 1e9f;
-  std::function<float(float x, float y)> depth;  ///< of the surface that is seen
+  int steps = 0;
+  mat3 gridFromFrame{1};
+  std::vector<vec4> draws = {};                                ///< of sky_draws.h
+  std::function<vec3(vec3)> skyRadiance = {}, openLight = {};  ///< axes of the grid
+  std::function<float(float x, float y)> depth;                ///< of the surface that is seen
 };
 inline Asked asked;
 
 inline int sampleCount() { return static_cast<int>(asked.samples.size()); }
 inline vec4 sampleAt(int i) { return asked.samples[static_cast<std::size_t>(i)]; }
 inline ivec2 marchCounts() { return asked.march; }
+inline int marchSteps() { return asked.steps; }
+inline vec3 gridDirection(vec3 v) { return asked.gridFromFrame * v; }
+inline vec3 frameDirection(vec3 v) { return transpose(asked.gridFromFrame) * v; }
+inline vec4 skyTexel(int cell, int i) { return asked.draws[static_cast<std::size_t>(cell * (1 + 2 * kCellDraws) + i)]; }
+inline vec3 skyRadiance(vec3 direction) { return asked.skyRadiance(direction); }
+inline vec3 openLight(vec3 normal) { return asked.openLight(normal); }
 inline bool normalisedBySamples() { return asked.normalised; }
 inline bool clampedToTangent() { return asked.clamped; }
 inline float seenThickness() { return asked.thickness; }
@@ -67,12 +78,19 @@ inline DepthSpread depthSpread(vec2 at, float share) {
 #include "shaders/screen/ball_line.glsl"
 
 #include "shaders/screen/area.glsl"
+
+#include "shaders/screen/bent.glsl"
+#include "shaders/screen/march_to.glsl"
+
+#include "shaders/screen/bent_points.glsl"
 #include "shaders/screen/bitmask.glsl"
 #include "shaders/screen/disk.glsl"
 #include "shaders/screen/gtao.glsl"
 #include "shaders/screen/hbao.glsl"
+#include "shaders/screen/importance.glsl"
 #include "shaders/screen/line.glsl"
 #include "shaders/screen/points.glsl"
+#include "shaders/screen/ssdo.glsl"
 #include "shaders/screen/volumetric.glsl"
 
 }  // namespace isolume::glsl

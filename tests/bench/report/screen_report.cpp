@@ -5,7 +5,8 @@
 // of the picture. Milliseconds are of a whole frame (G-buffer, estimator, filter, composite, read back), the median of
 // --runs after one that is not counted; `none` is the head light, without any such pass. RMSE and bias are over the
 // pixels that hit: to the estimator's own integral (screen_truth.h) and to ambient occlusion without a limit, both by
-// --rays exact samples per pixel, whose noise is part of the RMSE.
+// --rays exact samples per pixel, whose noise is part of the RMSE. Light under a coloured sky has rows of its own
+// (light_rows.h).
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -18,9 +19,11 @@
 #include "src/io/output_file.h"
 #include "src/jobs/camera_choice.h"
 #include "src/jobs/reference_camera.h"
+#include "src/jobs/screen_light.h"
 #include "src/jobs/screen_request.h"
 #include "src/jobs/surface.h"
 #include "sweep/parallel.h"
+#include "tests/bench/report/light_rows.h"
 #include "tests/bench/report/report_program.h"
 #include "tests/bench/report/screen_truth.h"
 #include "tests/bench/report/timing.h"
@@ -41,8 +44,10 @@ struct Options {
 std::vector<ScreenRequest> requests(int samples) {
   std::vector<ScreenRequest> all;
   for (const ScreenEstimator each : screenEstimators()) all.push_back({.estimator = each, .samples = samples});
+  for (const BentSource each : {BentSource::crytek2d, BentSource::hbao})
+    all.push_back({.estimator = ScreenEstimator::klehm11, .samples = samples, .bentFrom = each});
   for (const ScreenEstimator each : screenEstimators())
-    if (readsCharacteristic(each))
+    if (readsCharacteristic({.estimator = each}))
       all.push_back({.estimator = each, .samples = samples, .surface = Characteristic::implicit});
   constexpr int kFew = 4, kMany = 32, kLines = 5, kPoints = 12;  // [Szirmay10] Fig. 8, 10; [Loos10] Table 1
   for (const bool sampled : {false, true})
@@ -72,24 +77,39 @@ Error errorOf(const std::vector<glm::vec3>& got, const std::vector<double>& want
 
 class Judge {
  public:
-  Judge(const Options& options, const Surface& surface)
+  Judge(const Options& options, const SweptScene& swept)
       : options_(options),
         size_(parseSize("--size", options.size)),
-        corners_(solidCorners(surface)),
+        corners_(solidCorners(swept.surface)),
         camera_(chooseCamera({}, corners_, static_cast<double>(size_.x) / size_.y)),
-        frame_(makeGridFrame(surface.worldFromGrid)),
-        tracer_(surface.level.view()),
+        frame_(makeGridFrame(swept.surface.worldFromGrid)),
+        tracer_(swept.surface.level.view()),
         context_(makeContext()),
         renderer_(*context_) {
     SceneFields fields;
-    fields.worldFromGrid = surface.worldFromGrid;
-    fields.level = surface.level.view();
+    fields.worldFromGrid = swept.surface.worldFromGrid;
+    fields.level = swept.surface.level.view();
+    const SweptLighting lighting = sweepForScreen({}, swept);
+    for (const SweptLight& each : lighting.fields) fields.lights.push_back({.values = each.values.view()});
     renderer_.upload(fields);
     // Where the rays of the pixels hit, and nothing more: shadow takes one ray.
     IntegrandSettings shadow;
     shadow.integrand = Integrand::shadow;
     hits_ = traceReference(scene(), pixelRays(camera_, size_, frame_), {{0, 0}, size_}, shadow, {});
     ambient_ = ambientPicture(scene(), hits_, options.rays);
+  }
+
+  nlohmann::ordered_json light() {
+    return lightRows({.renderer = renderer_,
+                      .camera = camera_,
+                      .size = size_,
+                      .corners = corners_,
+                      .scene = scene(),
+                      .hits = hits_,
+                      .radius = options_.radius,
+                      .samples = options_.samples,
+                      .rays = options_.rays,
+                      .runs = options_.runs});
   }
 
   nlohmann::ordered_json row(const ScreenRequest& request) {
@@ -151,8 +171,8 @@ std::string cell(const nlohmann::ordered_json& row, const char* key) {
   return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
-constexpr std::array kColumns{"occlusion",    "ao-samples", "surface", "ao-normalisation", "membership",  "integral",
-                              "milliseconds", "rmse",       "bias",    "rmse_ambient",     "bias_ambient"};
+constexpr std::array kColumns{"occlusion", "bent-from",    "ao-samples", "surface", "ao-normalisation", "membership",
+                              "integral",  "milliseconds", "rmse",       "bias",    "rmse_ambient",     "bias_ambient"};
 
 std::string textOf(const nlohmann::ordered_json& rows, const char* before, const char* between, const char* after) {
   std::string text;
@@ -177,8 +197,8 @@ std::string tableOf(const nlohmann::ordered_json& rows) {
 nlohmann::ordered_json work(const Options& options) {
   limitThreads(options.run.threads);
   StageLog log(options.run);
-  const Surface surface = readSurface(options.surface, log);
-  Judge judge(options, surface);
+  const SweptScene scene = loadScene(options.surface, {.distance = true}, log);
+  Judge judge(options, scene);
   nlohmann::ordered_json report{{"size", options.size}, {"threads", threadCount()}, {"gl", judge.backend()}};
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   rows.push_back({{"occlusion", "none"}, {"milliseconds", judge.headLight()}});
@@ -186,6 +206,7 @@ nlohmann::ordered_json work(const Options& options) {
   if (!options.csv.empty()) writeFileAtomically(options.csv, csvOf(rows));
   if (!options.table.empty()) writeFileAtomically(options.table, tableOf(rows));
   report["rows"] = rows;
+  report["light"] = judge.light();
   return report;
 }
 

@@ -36,6 +36,7 @@ std::vector<double> opennessPicture(const ReferenceScene& scene, const std::vect
   });
 }
 
+/// How far its ray gets, in radii, at most 1.
 double sampleDirections(const ReferenceScene& scene, double radius, const ShadedPoint& point, glm::dvec2 u) {
   const glm::dvec3 direction = frameAbout(point.normal) * hemisphereDirection(u);
   const GridRay ray{point.hit.position, direction / scene.tracer.level().spacing, 0, radius};
@@ -68,8 +69,12 @@ ScreenTruth screenTruth(const ScreenOcclusion& settings) {
     case ScreenEstimator::loosLine:
     case ScreenEstimator::loosArea:
       return {settings.clampedToTangent ? ScreenIntegral::halfBall : ScreenIntegral::ball};
+    case ScreenEstimator::klehm11:
+      if (settings.bentFrom == BentSource::crytek3d) return {ScreenIntegral::halfBall};
+      return {settings.bentFrom == BentSource::hbao ? ScreenIntegral::directions : ScreenIntegral::openDirections};
     case ScreenEstimator::gtao:
     case ScreenEstimator::bitmask:
+    case ScreenEstimator::envImportance:
       return {ScreenIntegral::membership, Membership::classical};
     case ScreenEstimator::ssdo:
       return {ScreenIntegral::membership, Membership::linear};
@@ -88,6 +93,8 @@ std::string screenTruthName(const ScreenTruth& truth) {
       return membershipName(truth.membership);
     case ScreenIntegral::directions:
       return "linear, no cosine";
+    case ScreenIntegral::openDirections:
+      return "classical, no cosine";
     case ScreenIntegral::ball:
       return "ball";
     case ScreenIntegral::halfBall:
@@ -107,6 +114,8 @@ std::vector<double> truthPicture(const ReferenceScene& scene, const std::vector<
   return meanPicture(hits, rays, [&](const ShadedPoint& point, std::uint64_t key, std::uint32_t index) {
     const glm::dvec2 u = scrambledSobol(key, 0, index);
     if (truth.integral == ScreenIntegral::directions) return sampleDirections(scene, radiusWorld, point, u);
+    if (truth.integral == ScreenIntegral::openDirections)
+      return sampleDirections(scene, radiusWorld, point, u) < 1 ? 0.0 : 1.0;
     return sampleBall(scene, radiusWorld, truth.integral == ScreenIntegral::halfBall, point, u,
                       scrambledSobol(key, 1, index).x);
   });

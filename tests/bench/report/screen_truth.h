@@ -11,10 +11,11 @@
 namespace isolume::bench {
 
 /// The integral of an estimator within a radius:
-///   O of a membership function ([Szirmay10] Eq. 2): gpu-*, szirmay10-*, gtao, bitmask;
+///   O of a membership function ([Szirmay10] Eq. 2): gpu-*, szirmay10-*, gtao, bitmask, env-importance;
 ///   the mean of min(D / R, 1) over all directions of the hemisphere, without the cosine: hbao;
-///   the share of the ball, or of its half above the tangent plane, that lies outside: crytek, loos10-*.
-enum class ScreenIntegral { membership, directions, ball, halfBall };
+///   the share of these that meet nothing within the radius: klehm11 by crytek-2d;
+///   the share of the ball, or of its half above the tangent plane, that lies outside: crytek, loos10-*, klehm11 by crytek-3d.
+enum class ScreenIntegral { membership, directions, openDirections, ball, halfBall };
 struct ScreenTruth {
   ScreenIntegral integral = ScreenIntegral::membership;
   Membership membership = Membership::classical;  ///< of the first
