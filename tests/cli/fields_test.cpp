@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -25,8 +26,30 @@ class Fields : public ProgramTest {
   }
 };
 
-TEST_F(Fields, DrawTheSamePictureAsTheVolume) {
-  // Every layer of a picture drawn from a fields file has the bits of the one drawn from the volume, without a sweep.
+/// The file's octants are exact floats, rounded to bytes when they are drawn; those of the volume are swept in 16-bit
+/// lanes, off by .0007 at most. So a byte may be one step off, here and there: what is lit by them differs by so much
+/// at most, and hardly on the mean; all else has the same bits.
+void expectOctantsAlike(const Image& a, const Image& b) {
+  constexpr double kLargest = 1.0 / 255 + 7e-4, kMean = 3e-4;
+  ASSERT_EQ(channelNames(a), channelNames(b));
+  for (const std::string& name : channelNames(a)) {
+    const std::vector<float>&x = channel(a, name), &y = channel(b, name);
+    const bool lit = name == "R" || name == "G" || name == "B" || name == "ambient.Y";
+    double sum = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (!lit) {
+        ASSERT_EQ(std::memcmp(&x[i], &y[i], sizeof(float)), 0) << name << " at " << i;
+      } else {
+        ASSERT_NEAR(x[i], y[i], kLargest) << name << " at " << i;
+        sum += std::abs(static_cast<double>(x[i]) - static_cast<double>(y[i]));
+      }
+    }
+    EXPECT_LT(sum / static_cast<double>(x.size()), kMean) << name;
+  }
+}
+
+TEST_F(Fields, DrawThePictureOfTheVolume) {
+  // A picture drawn from a fields file, without a sweep, is that of the volume but for the rounding of its octants.
   const std::vector<std::string> look{"--size", "37x29", "--layers", "all", "--azimuth", "50"};
   std::vector<std::string> direct{"render", "corner.vdb", "--isovalue", "0.01",        "--inside",
                                   "below",  "-o",         "direct.exr", "--occlusion", "octants"};
@@ -36,7 +59,7 @@ TEST_F(Fields, DrawTheSamePictureAsTheVolume) {
     runWell(*command);
   }
   const Image image = readImage(path("saved.exr"));
-  EXPECT_TRUE(sameBits(readImage(path("direct.exr")), image));
+  expectOctantsAlike(readImage(path("direct.exr")), image);
   EXPECT_THAT(metadata(image, "isolume:fields_source"), HasSubstr("isolume fields corner.vdb --isovalue 0.01"));
   EXPECT_EQ(metadata(image, "isolume:isovalue"), "0.01");
   const auto report = nlohmann::json::parse(fileBytes(path("saved.json")));
@@ -98,8 +121,14 @@ TEST_F(Fields, HoldTheDistanceOfTheSolver) {
   runWell({"render", "corner.vdb", "--isovalue", "0.01", "--inside", "below", "--solver", "closest", "--size", "20x20",
            "--layers", "all", "--occlusion", "octants", "-o", "direct.exr"});
   runWell({"render", "f.vdb", "--size", "20x20", "--layers", "all", "-o", "other.exr"});
-  EXPECT_TRUE(sameBits(readImage(path("direct.exr")), readImage(path("saved.exr"))));
-  EXPECT_FALSE(sameBits(readImage(path("direct.exr")), readImage(path("other.exr"))));
+  // Of the distance all octants are made: with the other solver's they differ by more than a step.
+  const Image picture = readImage(path("direct.exr")), other = readImage(path("other.exr"));
+  expectOctantsAlike(picture, readImage(path("saved.exr")));
+  double largest = 0;
+  for (std::size_t i = 0; i < channel(picture, "ambient.Y").size(); ++i)
+    largest = std::max(largest, std::abs(static_cast<double>(channel(picture, "ambient.Y")[i]) -
+                                         static_cast<double>(channel(other, "ambient.Y")[i])));
+  EXPECT_GT(largest, 0.02);
   EXPECT_THAT(metadata(readImage(path("direct.exr")), "isolume:settings"), HasSubstr("--solver closest"));
 }
 

@@ -59,10 +59,7 @@ class Gallery:
     def error(self, got: Path, panel: Panel, want: Path, truth: Panel) -> str:
         same = panel.channel == truth.channel
         options = ["--layer", panel.channel, *([] if same else ["--against", truth.channel])]
-        if truth.scale != 1:
-            return scaled_error(got, panel.channel, want, truth.channel, truth.scale)
-        channel = json.loads(self.run("compare", got, want, *options, "--json"))
-        measures = find(channel, "rmse")
+        measures = json.loads(self.run("compare", got, want, *options, "--json"))["measures"][0]
         return f"RMSE {measures['rmse']:.3f}, bias {measures['bias']:+.3f}"
 
     def figure(self, figure: Figure) -> str | None:
@@ -94,33 +91,12 @@ class Gallery:
                 f"![{figure.title}](gallery/{figure.name}.png)\n")
 
 
-def find(tree: object, key: str) -> dict:
-    """The first object of a JSON tree that holds the key."""
-    if isinstance(tree, dict):
-        if key in tree and not isinstance(tree[key], (dict, list)):
-            return tree
-        tree = list(tree.values())
-    if isinstance(tree, list):
-        for each in tree:
-            found = find(each, key)
-            if found:
-                return found
-    return {}
-
-
 def channels(path: Path) -> dict[str, np.ndarray]:
     image = oiio.ImageInput.open(str(path))
     names = image.spec().channelnames
     pixels = image.read_image("float")
     image.close()
     return {name: pixels[:, :, i] for i, name in enumerate(names)}
-
-
-def scaled_error(got: Path, channel: str, want: Path, want_channel: str, scale: float) -> str:
-    a, b = channels(got), channels(want)
-    hit = np.isfinite(a["Z"]) & np.isfinite(b["Z"])
-    difference = a[channel][hit] / scale - b[want_channel][hit]
-    return f"RMSE {np.sqrt(np.mean(difference**2)):.3f}, bias {difference.mean():+.3f}"
 
 
 def shown(path: Path, scale: float) -> np.ndarray:
@@ -132,8 +108,9 @@ def shown(path: Path, scale: float) -> np.ndarray:
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
 
 
-def write_skies(work: Path) -> tuple[Path, Path]:
-    """White above the horizon; and a sky with a sun of 3 degrees, 30 above the horizon, to the right."""
+def write_skies(work: Path) -> tuple[Path, Path, Path]:
+    """White above the horizon; a sky with a sun of 3 degrees, 30 above the horizon, to the right; and two halves, warm
+    and blue."""
     rows, columns = 256, 512
     fall = (np.arange(rows) + 0.5)[:, None] * np.pi / rows
     turn = ((np.arange(columns) + 0.5)[None, :] / columns - 0.5) * 2 * np.pi
@@ -148,7 +125,11 @@ def write_skies(work: Path) -> tuple[Path, Path]:
         sky = np.where(up > 0, horizon + (zenith - horizon) * np.maximum(up, 0)**.5, ground)
         colors[name] = (sky + tint * bright).astype(np.float32)
     write_exr(work / "sky.exr", colors)
-    return work / "half.exr", work / "sky.exr"
+    side = np.sin(fall) * np.sin(turn) * .8 - np.sin(fall) * np.cos(turn) * .4 + up * .35 > 0
+    halves = {name: np.where(side, warm, blue).astype(np.float32)
+              for name, warm, blue in (("R", .95, .05), ("G", .45, .1), ("B", .05, .85))}
+    write_exr(work / "halves.exr", halves)
+    return work / "half.exr", work / "sky.exr", work / "halves.exr"
 
 
 def main() -> None:

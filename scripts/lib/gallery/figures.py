@@ -12,7 +12,7 @@ class Panel:
     options: tuple[str, ...]
     truth: bool = False
     channel: str = "irradiance.G"  # what is judged by the truth of the row
-    scale: float = 1.0             # the truth of the row shows that much of what the panel should
+    scale: float = 1.0             # of what is shown, so that nothing is brighter than the paper
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,7 @@ VOLUMES = {
     "corner": Volume("corner", ("--isovalue", "0", "--inside", "below"), 128),
     "capillaries": Volume("capillaries", ("--isovalue", "0", "--inside", "below"), 192),
     "vorticity": Volume("vorticity", ("--isovalue", "0", "--inside", "below"), 160),
+    "terrain": Volume("terrain", ("--isovalue", "0", "--inside", "below"), 128, ("--elevation", "40")),
     "gyroid": Volume("gyroid", ("--isovalue", "0", "--inside", "below"), 160),
     "cranium": Volume("cranium.nhdr", ("--isovalue", "300"), view=("--azimuth", "150", "--elevation", "8")),
     "betaGal": Volume("betaGal.mrc", ("--isovalue", "0.06")),
@@ -53,6 +54,9 @@ VOLUMES = {
 
 PUBLISHED = ("--occlusion", "singh10", "--gamma", "2")
 AMBIENT = Panel("reference", ("--integrand", "ambient"), truth=True, channel="ambient.Y")
+
+
+HALF_A_STOP = 2 ** -.5
 
 
 def geometry_term(volume: str) -> Row:
@@ -84,10 +88,10 @@ def shadows(volume: str, light: str, octant: str) -> Row:
 
 def translucent(volume: str, opacity: str) -> Row:
     return Row(volume, (
-        Panel(f"octants, alpha {opacity}", ("--occlusion", "octants", "--opacity", opacity, "--exposure", "-.5")),
-        Panel(f"ordinates, alpha {opacity}", ("--opacity", opacity, "--exposure", "-.5")),
+        Panel(f"octants, alpha {opacity}", ("--occlusion", "octants", "--opacity", opacity), scale=HALF_A_STOP),
+        Panel(f"ordinates, alpha {opacity}", ("--opacity", opacity), scale=HALF_A_STOP),
         Panel(f"reference, alpha {opacity}", ("--integrand", "translucent", "--opacity", opacity), truth=True,
-              channel="translucent.Y", scale=2 ** -.5)))
+              channel="translucent.Y", scale=HALF_A_STOP)))
 
 
 def reflections(volume: str) -> Row:
@@ -108,14 +112,46 @@ def environment(volume: str, sky: Path) -> Row:
               channel="irradiance.G")))
 
 
+def screen(volume: str, *names: str) -> Row:
+    return Row(volume, (*(Panel(name, ("--occlusion", name), channel="ambient.Y") for name in names), AMBIENT))
+
+
+def characteristics(volume: str, radius: str, *view: str) -> Row:
+    volumetric = ("--occlusion", "szirmay10-volumetric", "--ao-radius", radius, "--ao-samples", "32")
+    return Row(volume, (
+        *(Panel(f"volumetric, {name}", (*volumetric, "--surface", name), channel="ambient.Y")
+          for name in ("zbuffer", "heightfield", "implicit")),
+        Panel("reference, same radius", ("--integrand", "ambient", "--radius", radius, "--membership", "volumetric"),
+              truth=True, channel="ambient.Y")), view)
+
+
+def bent(volume: str, map_file: Path) -> Row:
+    map_options = ("--environment", str(map_file))
+    return Row(volume, (
+        *(Panel(f"{source}, {lookup}", ("--occlusion", "klehm11", "--bent-from", source, "--bent", lookup, *map_options))
+          for source in ("crytek-3d", "sweep") for lookup in ("none", "normal", "cone")),
+        Panel("env-importance", ("--occlusion", "env-importance", *map_options)),
+        Panel("ordinates", map_options),
+        Panel("reference", ("--integrand", "environment", *map_options), truth=True)))
+
+
+def bleeding(volume: str, radius: str, *color: str) -> Row:
+    screen_light = ("--occlusion", "szirmay10-volumetric", "--ao-radius", radius, "--ao-samples", "64", *color)
+    return Row(volume, (
+        Panel("ordinates", color, channel="ambient.Y"),
+        Panel("from the screen", screen_light, channel="ambient.Y"),
+        Panel("with light from nearby", (*screen_light, "--indirect", "on"), channel="ambient.Y")))
+
+
 def presets(volume: str) -> Row:
     return Row(volume, tuple(
         Panel(name, ("--preset", name, "--samples", "4"), channel="")
         for name in ("singh10", "clay", "studio", "cloudy", "translucent")))
 
 
-def figures(half_sky: Path, sky: Path) -> tuple[Figure, ...]:
-    """`half_sky`: white above the horizon, black below; `sky`: of many colours, with a sun."""
+def figures(half_sky: Path, sky: Path, two_colours: Path) -> tuple[Figure, ...]:
+    """`half_sky`: white above the horizon, black below; `sky`: of many colours, with a sun; `two_colours`: warm to one
+    side, blue to the other."""
     return (
         Figure("geometry_term", "With and without the geometry term",
                "[Singh10] Fig. 6: eight octants with G_s, and their mean as one number.",
@@ -137,6 +173,25 @@ def figures(half_sky: Path, sky: Path) -> tuple[Figure, ...]:
                (reflections("gyroid"), reflections("cranium"))),
         Figure("environment", "Light from a map of the sky", "A map with a sun, a sky and a ground.",
                (environment("corner", sky), environment("betaGal", sky))),
+        Figure("screen", "Occlusion from the screen",
+               "Each estimator that reads the picture alone, 12 samples per pixel, radius a tenth of the solid's longest "
+               "side, against ambient occlusion without a limit, which none of them computes.",
+               (screen("betaGal", "crytek", "hbao", "gtao", "bitmask", "ssdo", "gpu-disk"),
+                screen("betaGal", "gpu-sphere", "gpu-hemisphere", "gpu-importance", "gpu-tangent",
+                       "szirmay10-containment", "szirmay10-volumetric"),
+                screen("betaGal", "loos10-point", "loos10-line", "loos10-area", "klehm11", "octants", "ordinates"))),
+        Figure("characteristic", "What is taken for solid",
+               "[Szirmay10] Sec. 3: behind what the picture shows, below the highest of the column along z, or by the "
+               "volume itself, which has no blind spots.",
+               (characteristics("terrain", ".1"), characteristics("betaGal", "40"))),
+        Figure("bent", "Bent normals and cones",
+               "[Klehm11]: light of two coloured halves of the sky, looked up by openness alone, by bent normals and by "
+               "cones, from the screen and from the volume's ordinates.",
+               (bent("corner", two_colours), bent("mni", two_colours))),
+        Figure("bleeding", "Colour, and colour that bleeds",
+               "`--color-by`: a coordinate, and another volume; and [SzirmayGpu] Sec. 2: what is closed receives the mean "
+               "light of what it faces nearby.",
+               (bleeding("corner", ".3", "--color-by", "x"), bleeding("cranium", "40", "--color-by", "z"))),
         Figure("presets", "Presets", "`--preset` on real data, nothing else set.",
                (presets("cranium"), presets("mni"), presets("betaGal"), presets("aorta"))),
     )

@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from . import calibration, distance, document, machine, occlusion, scaling, table2
+from . import calibration, distance, document, machine, occlusion, scaling, screen, table2
 from .matrix import FULL, QUICK
 from .process import CommandFailed, Programs
 
@@ -28,8 +28,8 @@ def main(arguments: list[str]) -> int:
         description = machine.describe(programs)
         # The program that is measured below carries the calibration before this one; the next build takes the new one.
         calibration.write(matrix, programs, options.root / "src/jobs" if out == options.root / "docs" else out)
-        sections = [measure(matrix, programs) for measure in (distance.measure, occlusion.measure, scaling.measure,
-                                                              table2.measure)]
+        sections = [measure(matrix, programs) for measure in (distance.measure, occlusion.measure, screen.measure,
+                                                              scaling.measure, table2.measure)]
         document.write(out, description, matrix, sections)
     except CommandFailed as error:
         print(f"report: error: {error}", file=sys.stderr)

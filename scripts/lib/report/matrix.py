@@ -40,6 +40,13 @@ class Matrix:
     calibration: tuple[int, int, int]  # samples along each axis, points of each surface, rays of the truth at each
     rays: tuple[int, ...]  # Embree, per pixel
     kernels: tuple[int, ...]  # VTK's SSAO, samples per pixel
+    screen_scene: str
+    screen_size: int
+    screen_volumes: tuple[Volume, ...]
+    screen_picture: tuple[int, int]  # that is judged
+    screen_time: tuple[int, int]  # that is timed
+    screen_samples: int
+    screen_rays: int
     scaling_scene: str
     scaling_sizes: tuple[int, ...]
     table_repetitions: int
@@ -72,6 +79,13 @@ FULL = Matrix(
     calibration=(128, 2000, 4096),
     rays=(4, 16, 64, 256),
     kernels=(32, 128, 256),
+    screen_scene="corner",
+    screen_size=128,
+    screen_volumes=(BETA_GALACTOSIDASE,),
+    screen_picture=(256, 256),
+    screen_time=(1024, 1024),
+    screen_samples=12,
+    screen_rays=256,
     scaling_scene="capsules",
     scaling_sizes=(64, 128, 256, 512),
     table_repetitions=5,
@@ -96,6 +110,13 @@ QUICK = Matrix(
     calibration=(48, 200, 256),
     rays=(4, 16, 64),
     kernels=(32,),
+    screen_scene=FULL.screen_scene,
+    screen_size=48,
+    screen_volumes=(),
+    screen_picture=(48, 48),
+    screen_time=(64, 64),
+    screen_samples=FULL.screen_samples,
+    screen_rays=16,
     scaling_scene=FULL.scaling_scene,
     scaling_sizes=(64, 128),
     table_repetitions=1,

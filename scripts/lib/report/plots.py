@@ -116,6 +116,22 @@ def occlusion_plot(rows: list[Row], scene: str, path: Path) -> None:
     save(figure, path)
 
 
+def screen_plot(estimators: list[tuple[str, Row]], sweeps: list[tuple[str, Row]], scene: str, path: Path) -> None:
+    """Each estimator a point with its name; a sweep's frame a point, its sweep on top of that a line to the right."""
+    figure, (axes,) = new_figure(1, f"{scene}: from the screen, and by sweeps")
+    figure.set_size_inches(2 * PANEL_INCHES[0], 1.6 * PANEL_INCHES[1])
+    for color, marker, rows in ((BLUE, "s", estimators), (VERMILION, "o", sweeps)):
+        for name, row in rows:
+            x, y = row["milliseconds"], row["rmse_ambient"]
+            axes.scatter([x], [y], color=color, marker=marker, s=30)
+            if "sweep_milliseconds" in row:
+                axes.plot([x, x + row["sweep_milliseconds"]], [y, y], color=color, linewidth=1)
+            axes.annotate(name, (x, y), textcoords="offset points", xytext=(5, 3), fontsize=7, color=color)
+    finish(axes, "milliseconds per frame (line: with the sweep)", "RMSE to ambient occlusion")
+    figure.tight_layout()
+    save(figure, path)
+
+
 def scaling_plot(rows: list[Row], stages: list[str], path: Path) -> None:
     """Left: each stage and the whole; right: peak memory, with the size of the samples."""
     figure, (times, memory) = new_figure(2, f"One picture by `isolume render`, {rows[0]['threads']} threads")

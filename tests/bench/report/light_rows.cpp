@@ -105,6 +105,7 @@ nlohmann::ordered_json lightRows(const LitView& view) {
     for (RenderSettings& each : settings) {
       frames.push_back(view.renderer.render(view.camera, each));
       each.layers = false;
+      each.size = view.timeSize;
       view.renderer.render(view.camera, each);
     }
     std::vector<std::vector<double>> seconds(settings.size());

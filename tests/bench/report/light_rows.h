@@ -16,7 +16,7 @@ namespace isolume::bench {
 struct LitView {
   Renderer& renderer;  ///< holds what klehm11 reads of the volume (src/jobs/screen_light.h)
   const Camera& camera;
-  glm::ivec2 size;
+  glm::ivec2 size, timeSize;  ///< of the pictures that are judged, and of those that are timed
   std::array<glm::dvec3, 8> corners;
   ReferenceScene scene;
   const std::vector<ReferencePixel>& hits;

@@ -2,8 +2,9 @@
 // a table of Markdown.
 //
 // Held fixed: the volume, the default camera of `isolume render`, the radius (by default that of `render`) and the size
-// of the picture. Milliseconds are of a whole frame (G-buffer, estimator, filter, composite, read back), the median of
-// --runs after one that is not counted; `none` is the head light, without any such pass. RMSE and bias are over the
+// of the picture. Milliseconds are of a whole frame of --time-size (G-buffer, estimator, filter, composite, read back),
+// the median of --runs after one that is not counted; `none` is the head light, without any such pass. Sweeps have rows
+// of their own, with the time of the sweep beside that of a frame. RMSE and bias are over the
 // pixels that hit: to the estimator's own integral (screen_truth.h) and to ambient occlusion without a limit, both by
 // --rays exact samples per pixel, whose noise is part of the RMSE. Light under a coloured sky has rows of its own
 // (light_rows.h).
@@ -33,7 +34,7 @@ namespace {
 
 struct Options {
   SurfaceRequest surface;
-  std::string size = "256x256", csv, table;
+  std::string size = "256x256", timeSize, csv, table;
   double radius = 0;  ///< world units; 0: the default of render
   int samples = 12, rays = 256, runs = 5;
   RunOptions run;
@@ -79,16 +80,16 @@ class Judge {
  public:
   Judge(const Options& options, const SweptScene& swept)
       : options_(options),
+        swept_(swept),
         size_(parseSize("--size", options.size)),
+        timeSize_(options.timeSize.empty() ? size_ : parseSize("--time-size", options.timeSize)),
         corners_(solidCorners(swept.surface)),
         camera_(chooseCamera({}, corners_, static_cast<double>(size_.x) / size_.y)),
         frame_(makeGridFrame(swept.surface.worldFromGrid)),
         tracer_(swept.surface.level.view()),
         context_(makeContext()),
         renderer_(*context_) {
-    SceneFields fields;
-    fields.worldFromGrid = swept.surface.worldFromGrid;
-    fields.level = swept.surface.level.view();
+    SceneFields fields = surfaceFields();
     const SweptLighting lighting = sweepForScreen({}, swept);
     for (const SweptLight& each : lighting.fields) fields.lights.push_back({.values = each.values.view()});
     renderer_.upload(fields);
@@ -103,6 +104,7 @@ class Judge {
     return lightRows({.renderer = renderer_,
                       .camera = camera_,
                       .size = size_,
+                      .timeSize = timeSize_,
                       .corners = corners_,
                       .scene = scene(),
                       .hits = hits_,
@@ -132,17 +134,62 @@ class Judge {
   }
 
   /// Median of a frame's time without layers.
-  double milliseconds(RenderSettings settings) {
-    settings.layers = false;
-    std::vector<double> seconds = timedRuns(options_.runs, [&] { renderer_.render(camera_, settings); });
+  double milliseconds(RenderSettings settings) { return milliseconds(renderer_, std::move(settings)); }
+  double headLight() { return milliseconds({.size = size_, .shading = Shading::local}); }
+
+  /// Openness by ordinates, and eight octants: the time of the sweep, and the picture drawn with it.
+  nlohmann::ordered_json sweepRow(const OcclusionRequest& request) {
+    const OcclusionSetting occlusion = chooseOcclusion(request);
+    const bool octants = byOctants(occlusion.method);
+    const GridView<const float> level = swept_.surface.level.view(), distance = swept_.swept.distance.view();
+    Grid<std::uint16_t> openness;
+    OctantVisibility visibility;
+    const double sweep = median(timedRuns(options_.runs, [&] {
+      if (octants)
+        visibility = sweepVisibility(distance, VisibilityStorage::rgba8);
+      else
+        openness = sweepOpenness(level, distance, occlusion.ordinates);
+    }));
+    SceneFields fields = surfaceFields();
+    if (octants)
+      for (std::size_t i = 0; i < fields.octants.size(); ++i) fields.octants[i] = visibility.packed[i].view();
+    else
+      fields.lights = {{std::as_const(openness).view()}};
+    Renderer renderer(*context_);
+    renderer.upload(fields);
+    const RenderSettings settings{.size = size_,
+                                  .shading = octants ? Shading::octants : Shading::lights,
+                                  .occlusionOffsetVoxels = static_cast<float>(occlusion.offset),
+                                  .openPlaneTerms = occlusion.openPlane,
+                                  .layers = true};
+    const Error error = errorOf(renderer.render(camera_, settings).light, ambient_);
+    nlohmann::ordered_json row = occlusionSettings(occlusion);
+    row["sweep_milliseconds"] = sweep;
+    row["milliseconds"] = milliseconds(renderer, settings);
+    row["rmse_ambient"] = error.rmse;
+    row["bias_ambient"] = error.bias;
+    return row;
+  }
+  std::string backend() const { return std::string(context_->backend()) + ", " + context_->description(); }
+
+ private:
+  SceneFields surfaceFields() const {
+    SceneFields fields;
+    fields.worldFromGrid = swept_.surface.worldFromGrid;
+    fields.level = swept_.surface.level.view();
+    return fields;
+  }
+  static double median(std::vector<double> seconds) {
     std::sort(seconds.begin(), seconds.end());
     constexpr double kPerSecond = 1000;
     return kPerSecond * seconds[seconds.size() / 2];
   }
-  double headLight() { return milliseconds({.size = size_, .shading = Shading::local}); }
-  std::string backend() const { return std::string(context_->backend()) + ", " + context_->description(); }
+  double milliseconds(Renderer& renderer, RenderSettings settings) {
+    settings.layers = false;
+    settings.size = timeSize_;
+    return median(timedRuns(options_.runs, [&] { renderer.render(camera_, settings); }));
+  }
 
- private:
   ReferenceScene scene() const { return {tracer_, frame_.worldFromAxes}; }
 
   const std::vector<double>& truthOf(const ScreenTruth& truth, double radius) {
@@ -152,7 +199,8 @@ class Judge {
   }
 
   const Options& options_;
-  glm::ivec2 size_;
+  const SweptScene& swept_;
+  glm::ivec2 size_, timeSize_;
   std::array<glm::dvec3, 8> corners_;
   Camera camera_;
   GridFrame frame_;
@@ -199,13 +247,25 @@ nlohmann::ordered_json work(const Options& options) {
   StageLog log(options.run);
   const SweptScene scene = loadScene(options.surface, {.distance = true}, log);
   Judge judge(options, scene);
-  nlohmann::ordered_json report{{"size", options.size}, {"threads", threadCount()}, {"gl", judge.backend()}};
+  nlohmann::ordered_json report{{"size", options.size},
+                                {"time_size", options.timeSize.empty() ? options.size : options.timeSize},
+                                {"threads", threadCount()},
+                                {"gl", judge.backend()}};
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   rows.push_back({{"occlusion", "none"}, {"milliseconds", judge.headLight()}});
   for (const ScreenRequest& each : requests(options.samples)) rows.push_back(judge.row(each));
   if (!options.csv.empty()) writeFileAtomically(options.csv, csvOf(rows));
   if (!options.table.empty()) writeFileAtomically(options.table, tableOf(rows));
   report["rows"] = rows;
+  report["sweeps"] = nlohmann::ordered_json::array();
+  for (const OcclusionRequest& each : {OcclusionRequest{.method = OcclusionMethod::singh10},
+                                       {.method = OcclusionMethod::octants},
+                                       {.method = OcclusionMethod::octants, .openPlane = true},
+                                       {.ordinates = 64, .refinement = 1},
+                                       {.ordinates = 128, .refinement = 1},
+                                       {.ordinates = 512, .refinement = 1},
+                                       {.ordinates = 1024, .refinement = 2}})
+    report["sweeps"].push_back(judge.sweepRow(each));
   report["light"] = judge.light();
   return report;
 }
@@ -220,6 +280,7 @@ int main(int argc, char** argv) {
   addSurfaceOptions(app, options.surface);
   addRunOptions(app, options.run);
   app.add_option("--size", options.size, "WxH, pixels");
+  app.add_option("--time-size", options.timeSize, "WxH, pixels of the frames that are timed (default: --size)");
   app.add_option("--radius", options.radius, "world units")->check(CLI::PositiveNumber);
   app.add_option("--samples", options.samples, "per pixel")->check(CLI::Range(1, kMostScreenSamples));
   app.add_option("--rays", options.rays, "exact samples per pixel")->check(CLI::PositiveNumber);
