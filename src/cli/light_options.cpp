@@ -123,7 +123,7 @@ void addLightOptions(CLI::App& app, LightingRequest& lighting) {
          "colours);\nsun (azimuth, elevation as of the camera, or direction=X,Y,Z;\nshadow=soft with radius in "
          "degrees, "
          "hard or turned;\nfrom=camera: angles from the eye); head (from the eye, without\nshadows); octants "
-         "(intensities=I0,...,I7, top=only; with\n--occlusion singh10, octants or combined)")
+         "(of the grid's axes: intensities=I0,...,I7, top=only)")
       ->type_name("LIGHT")
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

@@ -86,10 +86,6 @@ void checkLighting(const LightingRequest& request, OcclusionMethod method) {
     checkOctantLights(request, method);
     return;
   }
-  if (has(request, LightKind::octants))
-    throw UsageError(
-        fmt::format("--light octants: expected --occlusion singh10, octants or combined beside it, found {}",
-                    occlusionName(method)));
   if (!isTranslucent(request)) return;
   if (request.bounces.value_or(0) != 0)
     throw UsageError("--bounces: expected an opaque solid, found --opacity below 1");

@@ -23,7 +23,7 @@ enum class LightKind {
   gradient,  ///< a sky of three bands: zenith, horizon, ground
   sun,       ///< a disc at the sky
   head,      ///< from the eye, without shadow
-  octants,   ///< the eight octants of [Singh10], each with an intensity of its own
+  octants,   ///< the eight octants of the grid's axes ([Singh10]), each with an intensity of its own
 };
 
 enum class SunShadow {

@@ -62,6 +62,7 @@ class LightingSweep {
     if (light.kind == LightKind::head) swept_.head += color;
     if (light.kind == LightKind::sun) addSun(light, color);
     if (light.kind == LightKind::sky) addWhiteSky(color);
+    if (light.kind == LightKind::octants) addSky(octantSky(count_, light.octants), {color});
     if (light.kind == LightKind::gradient)
       addSky(bandedSky(count_, axesFromWorld()),
              {light.bands[0] * color, light.bands[1] * color, light.bands[2] * color});

@@ -67,6 +67,17 @@ std::vector<Ordinate> bandedSky(int count, glm::dmat3 axesFromWorld) {
   return sky;
 }
 
+std::vector<Ordinate> octantSky(int count, const std::array<float, kOctantCount>& intensities) {
+  // A map of one texel for each octant: quarter turns from -y towards -x, above and below.
+  constexpr glm::ivec2 kQuarters[] = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
+  std::vector<glm::vec3> radiance;
+  for (const int z : {1, -1})
+    for (const glm::ivec2 quarter : kQuarters)
+      for (std::size_t s = 0; s < intensities.size(); ++s)
+        if (kOctants[s].towardsLight() == glm::ivec3(quarter, z)) radiance.emplace_back(intensities[s]);
+  return mappedSky(count, {4, 2}, radiance, 0, glm::dmat3(1));
+}
+
 std::vector<Ordinate> mappedSky(int count, glm::ivec2 size, const std::vector<glm::vec3>& radiance,
                                 double rotationDegrees, glm::dmat3 axesFromWorld) {
   const std::vector<glm::dvec3> directions = ordinateDirections(count);

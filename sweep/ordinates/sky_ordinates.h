@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "surface_rays.h"
+#include "sweep/octants.h"
 
 namespace isolume {
 
@@ -20,6 +21,10 @@ std::vector<Ordinate> uniformSky(int count);
 /// A sky of three bands whose radiance changes linearly with the height z of a direction: channel 0 max(z, 0) (the
 /// zenith's share), 1 1 - |z| (the horizon's), 2 max(-z, 0) (the ground's). They add up to the uniform sky.
 std::vector<Ordinate> bandedSky(int count, glm::dmat3 axesFromWorld);
+
+/// The eight octants of the grid's axes, each of a radiance of its own: where one alone shines, an open point gets its
+/// geometry term G_s(N) / pi ([Singh10] Eq. 3). Channel 0; intensities finite and >= 0.
+std::vector<Ordinate> octantSky(int count, const std::array<float, kOctantCount>& intensities);
 
 /// An equirectangular map (sweep/reference/environment.h says how it lies in the world), row-major, linear, finite and
 /// >= 0, turned by `rotationDegrees` about +z, counter-clockwise seen from above. Three channels. Each ordinate points

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "support/random_numbers.h"
+#include "sweep/geometry_terms.h"
 #include "sweep/ordinates/ordinate_set.h"
 #include "sweep/reference/environment.h"
 
@@ -211,6 +212,24 @@ TEST(SkyOrdinates, LiesInTheWorldAsTheReferencesMap) {
 TEST(SkyOrdinates, ABlackMapHasNoLight) {
   // No ordinate at all: nothing is swept.
   EXPECT_TRUE(mappedSky(64, {8, 4}, Map(32, glm::vec3(0)), 0, glm::dmat3(1)).empty());
+}
+
+TEST(OctantSky, AnOctantGivesItsGeometryTerm) {
+  // Light of one octant on an open point is G_s(N) / pi, of all eight 1: to what the horizon's shares of 2,048
+  // ordinates make, a hundredth.
+  constexpr int kCount = 2048;
+  test::RandomNumbers numbers(6);
+  for (int octant = 0; octant < kOctantCount; ++octant) {
+    std::array<float, kOctantCount> one{}, even{};
+    even.fill(1);
+    one[static_cast<std::size_t>(octant)] = 1;
+    const std::vector<Ordinate> sky = octantSky(kCount, one), all = octantSky(kCount, even);
+    for (int i = 0; i < 100; ++i) {
+      const glm::dvec3 normal = glm::normalize(numbers.inCube() - 0.5);
+      EXPECT_NEAR(openLight(sky, normal), octantGeometryTerm(octant, normal) / pi, 0.01) << octant;
+      EXPECT_NEAR(openLight(all, normal), 1, 0.01);
+    }
+  }
 }
 
 }  // namespace
