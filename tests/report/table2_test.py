@@ -33,8 +33,9 @@ class Table2Test(unittest.TestCase):
 
     def test_findings_are_ratios_of_the_rows(self) -> None:
         # The sentence speaks of the rows' own ratios.
-        row = {"without_one": 1.0, "octants_one": 1.5, "published_without": 2.0, "published_octants": 3.0}
+        row = {"without_one": 1.0, "combined_one": 1.25, "octants_one": 1.5, "published_without": 2.0, "published_octants": 3.0}
         self.assertIn("add 50 %", table2.findings([row])[0])
+        self.assertIn("(combined here 25 %)", table2.findings([row])[0])
         self.assertIn("2.0 times as fast", table2.findings([row])[0])
 
 

@@ -128,7 +128,8 @@ def characteristics(volume: str, radius: str, *view: str) -> Row:
 def bent(volume: str, map_file: Path) -> Row:
     map_options = ("--environment", str(map_file))
     return Row(volume, (
-        *(Panel(f"{source}, {lookup}", ("--occlusion", "klehm11", "--bent-from", source, "--bent", lookup, *map_options))
+        *(Panel(f"{source}, {lookup}",
+                ("--occlusion", "klehm11", "--bent-from", source, "--bent", lookup, *map_options))
           for source in ("crytek-3d", "sweep") for lookup in ("none", "normal", "cone")),
         Panel("env-importance", ("--occlusion", "env-importance", *map_options)),
         Panel("ordinates", map_options),

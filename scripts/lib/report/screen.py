@@ -78,8 +78,8 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
         else:
             scenes.append(scene)
     section.introduction = INTRODUCTION.format(
-        scenes=" and ".join(scene.name for scene in scenes), samples=matrix.screen_samples, time=time.replace("x", " x "),
-        runs=matrix.runs, width=width, height=height, rays=matrix.screen_rays)
+        scenes=" and ".join(scene.name for scene in scenes), samples=matrix.screen_samples,
+        time=time.replace("x", " x "), runs=matrix.runs, width=width, height=height, rays=matrix.screen_rays)
     everything: list[Row] = []
     for scene in scenes:
         report = json_of([programs.report / "report_screen", *scene.arguments(), "--size", f"{width}x{height}",
