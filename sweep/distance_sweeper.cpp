@@ -13,14 +13,14 @@ DistanceSweeper::DistanceSweeper(GridView<float> distance, const SweepMetric& me
   sweep_ = 1;
 }
 
-void DistanceSweeper::sweepPair(int pair, std::array<VisibilityTarget, 2> targets, const RowHook& before,
-                                const RowHook& after) {
+void DistanceSweeper::sweepPair(int pair, const RowHook& before, const RowHook& after) {
   const int nx = tiles_.size.x;
   const TileSpan whole{0, nx};
-  const Handover outside(rowFloats(nx, tiles_.lanes));
-  for (std::size_t k = 0; k < 2; ++k) {
-    if (blocks_[k].empty()) blocks_[k] = makeBlockBuffers(tiles_, targets[k].wanted());
-    for (BlockBuffers& block : blocks_[k]) block.carried.reset();
+  const LargeArray<float> outside = makeFilled(rowFloats(nx, tiles_.lanes), kOutsideDistance);
+  for (auto& blocks : blocks_) {
+    if (blocks.empty()) blocks = makeBlockBuffers(tiles_);
+    for (BlockBuffers& block : blocks)
+      std::fill_n(block.carried.get(), carriedFloats(nx, tiles_.lanes), kOutsideDistance);
   }
   const auto firstOctant = static_cast<std::size_t>(2 * pair);
 
@@ -34,18 +34,13 @@ void DistanceSweeper::sweepPair(int pair, std::array<VisibilityTarget, 2> target
       const auto order = static_cast<std::size_t>(tile.blockOrder);
       const int parity = tile.layerOrder % 2;
       BlockBuffers& block = blocks_[k][order];
-      const Handover& below = order > 0 ? blocks_[k][order - 1].lastRow[parity] : outside;
-      const VisibilityTarget& target = targets[k];
+      const LargeArray<float>& below = order > 0 ? blocks_[k][order - 1].lastRow[parity] : outside;
       TileBuffers buffers;
       buffers.rowLength = nx;
       buffers.distance = block.distance.get();
-      buffers.visibility = target.wanted() ? block.visibility.get() : nullptr;
-      buffers.carriedDistance = block.carried.distance.get();
-      buffers.carriedLight = block.carried.light.get();
-      buffers.rowDistance = below.distance.get();
-      buffers.rowLight = below.light.get();
-      buffers.lastRowDistance = block.lastRow[parity].distance.get();
-      buffers.lastRowLight = block.lastRow[parity].light.get();
+      buffers.carried = block.carried.get();
+      buffers.row = below.get();
+      buffers.lastRow = block.lastRow[parity].get();
       loadTile(walk, origin, whole, distance_.data, buffers.distance);
       const std::uint32_t number = sweep_ + 1 + static_cast<std::uint32_t>(k);
       if (sweepTile(buffers, metric_, whole)) {
@@ -53,8 +48,6 @@ void DistanceSweeper::sweepPair(int pair, std::array<VisibilityTarget, 2> target
         changed_[index] = number;
       }
       swept_[firstOctant + k][index] = number;
-      if (target.as8 != nullptr) storeTile(walk, origin, whole, buffers.visibility, target.as8);
-      if (target.asFloat != nullptr) storeTile(walk, origin, whole, buffers.visibility, target.asFloat);
     }
     if (after) tiles_.forEachRow(tile.block, tile.layer, after);
   });
@@ -68,19 +61,19 @@ bool DistanceSweeper::sweepTileAlone(const Octant& octant, const Tile& tile, Blo
   TileBuffers buffers;
   buffers.rowLength = tiles_.size.x;
   buffers.distance = block.distance.get();
-  buffers.carriedDistance = block.carried.distance.get();
-  buffers.rowDistance = block.lastRow[0].distance.get();
-  buffers.lastRowDistance = block.lastRow[1].distance.get();
+  buffers.carried = block.carried.get();
+  buffers.row = block.lastRow[0].get();
+  buffers.lastRow = block.lastRow[1].get();
   loadTile(walk, origin, span, distance_.data, buffers.distance);
-  loadCarried(walk, origin, span, distance_.data, buffers.carriedDistance);
-  loadRowBelow(walk, origin, span, distance_.data, block.lastRow[0].distance.get());
+  loadCarried(walk, origin, span, distance_.data, buffers.carried);
+  loadRowBelow(walk, origin, span, distance_.data, block.lastRow[0].get());
   if (!sweepTile(buffers, metric_, span)) return false;
   storeTile(walk, origin, span, buffers.distance, distance_.data);
   return true;
 }
 
 bool DistanceSweeper::sweepRound(const std::vector<std::vector<TileSpan>>* spans) {
-  if (blocks_[0].empty()) blocks_[0] = makeBlockBuffers(tiles_, false);
+  if (blocks_[0].empty()) blocks_[0] = makeBlockBuffers(tiles_);
   const std::uint32_t before = sweep_;
   for (std::size_t s = 0; s < kOctants.size(); ++s) {
     const Octant& octant = kOctants[s];

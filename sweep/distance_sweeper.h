@@ -16,7 +16,6 @@
 #include "grid.h"
 #include "sweep_tile.h"
 #include "tile_handover.h"
-#include "visibility_target.h"
 #include "wavefront.h"
 
 namespace isolume {
@@ -28,8 +27,8 @@ class DistanceSweeper {
  public:
   DistanceSweeper(GridView<float> distance, const SweepMetric& metric);
 
-  /// Octants 2 * pair and 2 * pair + 1 with their visibility, if asked for.
-  void sweepPair(int pair, std::array<VisibilityTarget, 2> targets, const RowHook& before, const RowHook& after);
+  /// Octants 2 * pair and 2 * pair + 1.
+  void sweepPair(int pair, const RowHook& before, const RowHook& after);
 
   /// Sweeps all octants where something may change; false if nothing has changed. `spans`: for each tile (TileGrid
   /// index) the parts of its rows that may change at all, in x of the grid; nullptr: the whole rows.

@@ -28,11 +28,11 @@ LightSweeper::Walk LightSweeper::makeWalk(int firstOctant, OctantSet wanted) con
   }
   for (std::size_t k = 0; k < walk.carried.size(); ++k)
     for (int block = 0; wanted[static_cast<std::size_t>(firstOctant) + k] && block < tiles_.blocks; ++block)
-      walk.carried[k].push_back(makeFilled(tile / kTilePlanes, 1));
+      walk.carried[k].push_back(makeFilled(carriedFloats(tiles_.size.x, tiles_.lanes), 1));
   return walk;
 }
 
-void LightSweeper::sweepTile(Walk& walk, LayerBuffers& layer, const Tile& tile, std::size_t octantOfWalk, int visit,
+void LightSweeper::sweepTile(Walk& walk, LayerBuffers& layer, const Tile& tile, std::size_t octantOfWalk,
                              const std::function<void(const LitTile&)>& store) const {
   const int octantIndex = walk.firstOctant + static_cast<int>(octantOfWalk);
   const Octant& octant = kOctants[static_cast<std::size_t>(octantIndex)];
@@ -44,15 +44,13 @@ void LightSweeper::sweepTile(Walk& walk, LayerBuffers& layer, const Tile& tile, 
   buffers.carriedLight = walk.carried[octantOfWalk][static_cast<std::size_t>(tile.block)].get();
   buffers.rowLight = row.get();
   buffers.lastRowLight = row.get();
-  const LitTile lit{octantIndex, visit, walkOctant(tiles_.size, octant), tiles_.origin(tile, octant),
-                    buffers.visibility};
+  const LitTile lit{octantIndex, walkOctant(tiles_.size, octant), tiles_.origin(tile, octant), buffers.visibility};
   loadTile(lit.walk, lit.origin, {0, tiles_.size.x}, distance_.data, layer.distance.get());
   sweepLightTile(buffers, metric_, static_cast<float>(smallestSpacing(distance_.spacing)), tiles_.size.x);
   store(lit);
 }
 
-void LightSweeper::sweepLayers(Walk& walk, int first, int last, OctantSet wanted, int visit,
-                               const std::function<void(const LitTile&)>& store) const {
+void LightSweeper::sweepLayers(Walk& walk, OctantSet wanted, const std::function<void(const LitTile&)>& store) const {
   const bool up = kOctants[static_cast<std::size_t>(walk.firstOctant)].sweep.z > 0;
   // Blocks in y up and down again.
   const int turns = 2 * tiles_.blocks;
@@ -64,12 +62,11 @@ void LightSweeper::sweepLayers(Walk& walk, int first, int last, OctantSet wanted
     tile.layer = up ? layerOrder : tiles_.layers - 1 - layerOrder;
     tile.layerOrder = layerOrder;
     for (std::size_t k = back ? 2 : 0; k < (back ? 4U : 2U); ++k)
-      if (wanted[static_cast<std::size_t>(walk.firstOctant) + k])
-        sweepTile(walk, layer, tile, k, visit + static_cast<int>(k), store);
+      if (wanted[static_cast<std::size_t>(walk.firstOctant) + k]) sweepTile(walk, layer, tile, k, store);
   };
   const int atOnce = static_cast<int>(walk.layers.size());
-  for (int from = first; from < last; from += atOnce) {
-    const int count = std::min(atOnce, last - from);
+  for (int from = 0; from < tiles_.layers; from += atOnce) {
+    const int count = std::min(atOnce, tiles_.layers - from);
     for (int diagonal = 0; diagonal < turns + count - 1; ++diagonal) {
       const int begin = std::max(0, diagonal - turns + 1), end = std::min(diagonal + 1, count);
       parallelFor(static_cast<std::size_t>(end - begin), [&](std::size_t i) {
@@ -82,14 +79,7 @@ void LightSweeper::sweepLayers(Walk& walk, int first, int last, OctantSet wanted
 
 void LightSweeper::sweep(OctantSet wanted, const std::function<void(const LitTile&)>& store) {
   std::array<Walk, 2> walks{makeWalk(0, wanted), makeWalk(kOctantsOfWalk, wanted)};
-  const int half = tiles_.layers / 2;
-  // A layer is the k-th of the one walk and the last but k of the other.
-  const std::array<std::array<int, 3>, 2> bounds{{{0, half, tiles_.layers}, {0, tiles_.layers - half, tiles_.layers}}};
-  for (std::size_t part = 0; part < 2; ++part)
-    parallelFor(walks.size(), [&](std::size_t w) {
-      sweepLayers(walks[w], bounds[w][part], bounds[w][part + 1], wanted, static_cast<int>(part) * kOctantsOfWalk,
-                  store);
-    });
+  parallelFor(walks.size(), [&](std::size_t w) { sweepLayers(walks[w], wanted, store); });
 }
 
 }  // namespace isolume

@@ -1,10 +1,9 @@
 // The sweep of light through given distances: [Singh10] Eq. 6 to 8 for all octants, layer by layer.
 //
 // The four octants that run the same way in z share a walk: a layer of kTilePlanes planes is swept by the two that run
-// up in y, block of rows after block, and then by the two that run down again, so that its distances and results stay
-// in the cache until all four have passed. The two walks, up and down in z, need nothing of each other and run beside
-// each other; both change layers halfway, so that the second visit of a tile may build on the first. On more than two
-// threads each walk takes several layers at a time, in a wavefront ([Detrixhe13]).
+// up in y, block of rows after block, and then by the two that run down again, so that its distances stay in the
+// cache until all four have passed. The two walks, up and down in z, need nothing of each other and run beside each
+// other. On more than two threads each walk takes several layers at a time, in a wavefront ([Detrixhe13]).
 //
 // Bitwise the same for any number of threads and any SIMD width. Memory: O(n^(2/3)), about 40 bytes per voxel of a
 // plane.
@@ -25,7 +24,6 @@ namespace isolume {
 /// V of one octant in one tile, in the layout of sweep_tile.h.
 struct LitTile {
   int octant = 0;
-  int visit = 0;  ///< octants that have been here before, of all eight
   OctantWalk walk;
   TileOrigin origin;
   const float* visibility = nullptr;
@@ -38,8 +36,8 @@ class LightSweeper {
   /// Distances in world units, < 0 inside, +-inf where there is no surface. Opacity of [Singh10] Eq. 8.
   explicit LightSweeper(GridView<const float> distance, float opacity = 1);
 
-  /// Calls store(tile) once for each tile of each wanted octant, from several threads, but for each tile of the grid
-  /// one octant after the other in an order of its own. A single octant may be written in place of the distance.
+  /// Calls store(tile) once for each tile of each wanted octant, from several threads, two octants of the same tile at
+  /// a time among them. A single octant may be written in place of the distance.
   void sweep(OctantSet wanted, const std::function<void(const LitTile&)>& store);
 
  private:
@@ -55,9 +53,8 @@ class LightSweeper {
     std::array<std::vector<LargeArray<float>>, kOctantCount / 2> carried;
   };
   Walk makeWalk(int firstOctant, OctantSet wanted) const;
-  void sweepLayers(Walk& walk, int first, int last, OctantSet wanted, int visit,
-                   const std::function<void(const LitTile&)>& store) const;
-  void sweepTile(Walk& walk, LayerBuffers& layer, const Tile& tile, std::size_t octantOfWalk, int visit,
+  void sweepLayers(Walk& walk, OctantSet wanted, const std::function<void(const LitTile&)>& store) const;
+  void sweepTile(Walk& walk, LayerBuffers& layer, const Tile& tile, std::size_t octantOfWalk,
                  const std::function<void(const LitTile&)>& store) const;
 
   GridView<const float> distance_;

@@ -6,20 +6,17 @@
 
 namespace isolume {
 
-/// As TileBuffers, without the hand-over of distances.
+/// As TileBuffers, but that light V tau is handed on in place of distances, 1 from outside the grid.
 struct LightBuffers {
   const float* distance = nullptr;  ///< [plane][step][lane], world units, < 0 inside; +-inf allowed
   float* visibility = nullptr;      ///< [plane][step][lane], out
-  float* carriedLight = nullptr;
-  const float* rowLight = nullptr;
-  float* lastRowLight = nullptr;
+  float* carriedLight = nullptr;    ///< [step][lane]: plane below the tile, replaced by the tile's last plane
+  const float* rowLight = nullptr;  ///< [plane][step]: the row below the tile
+  float* lastRowLight = nullptr;    ///< [plane][step]: the tile's own last row; may be rowLight
 };
 
-/// Light below this is dark: keeps the exponential decay of deep shadow out of the slow denormal numbers.
-inline constexpr float kDarkest = 1e-20F;
-
-/// Sweeps a tile of rows of nx voxels. The transmittance of a voxel is that which the sweep with distances has at a
-/// start value of this magnitude (fixed bit set), so the bits are those of sweeping with every distance fixed.
+/// Sweeps a tile of rows of nx voxels. The transmittance of a voxel is that of its distance in smallest spacings as the
+/// sweep of distances has it at a start value: with the fixed bit set (surface_start.h).
 void sweepLightTile(const LightBuffers& buffers, const SweepMetric& metric, float smallestSpacing, int nx);
 
 }  // namespace isolume

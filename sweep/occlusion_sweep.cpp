@@ -54,7 +54,7 @@ Grid<float> sweepWholeDomain(GridView<const float> level, const SweepOptions& op
   DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing));
   for (int pair = 0; pair < kOctantPairs; ++pair) {
     const bool last = pair == kOctantPairs - 1;
-    sweeper.sweepPair(pair, {}, pair == 0 ? start : RowHook(), last && once ? finish : RowHook());
+    sweeper.sweepPair(pair, pair == 0 ? start : RowHook(), last && once ? finish : RowHook());
   }
   if (once) return grid;
   for (int round = 1; round < options.rounds; ++round)

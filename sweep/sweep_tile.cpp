@@ -8,7 +8,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "light_update-inl.h"
 #include "surface_start.h"
 #include "upwind_update-inl.h"
 
@@ -17,15 +16,13 @@ namespace isolume::HWY_NAMESPACE {
 
 int lanesOfTarget() { return static_cast<int>(hn::Lanes(FloatTag())); }
 
-template <bool kIsotropic, bool kLight>
+template <bool kIsotropic>
 bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, TileSpan span) {
   const FloatTag d;
   const hn::RebindToSigned<FloatTag> di;
   const hn::RebindToUnsigned<FloatTag> du;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const VectorMetric metric = vectorMetric(gridMetric);
-  const LightWeights weights = lightWeights(gridMetric);
-  const Translucency solid = translucency(gridMetric);
   const auto lane0 = hn::FirstN(d, 1);
   const auto lastLane = hn::Not(hn::FirstN(d, static_cast<std::size_t>(lanes) - 1));
   const auto up = hn::IndicesFromVec(d, hn::Max(hn::Sub(hn::Iota(di, 0), hn::Set(di, 1)), hn::Zero(di)));
@@ -36,12 +33,8 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
   const std::ptrdiff_t carriedOrigin = origin + static_cast<std::ptrdiff_t>(span.first) * lanes;
   const std::ptrdiff_t rowOrigin = rowFrontPad(lanes) + span.first;
 
-  FloatVec previousDistance[kTilePlanes];
-  FloatVec previousLight[kTilePlanes];
-  for (int p = 0; p < kTilePlanes; ++p) {
-    previousDistance[p] = hn::Set(d, kOutsideDistance);
-    previousLight[p] = hn::Set(d, 1.0F);
-  }
+  FloatVec previous[kTilePlanes];
+  for (FloatVec& distance : previous) distance = hn::Set(d, kOutsideDistance);
 
   auto difference = hn::Zero(du);
   const int steps = span.count + lanes - 1;
@@ -55,10 +48,9 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
       // The last lane is lanes - 1 voxels behind; a masked store puts it where its x is.
       const std::ptrdiff_t atLastRow = atRow - 2 * (lanes - 1);
       float* cell = buffers.distance + p * planeStride + origin + t * lanes;
-      const auto below = p == 0 ? hn::Load(d, buffers.carriedDistance + carried) : previousDistance[p == 0 ? 0 : p - 1];
-      const auto before = previousDistance[p];
-      const auto beside =
-          hn::IfThenElse(lane0, hn::Set(d, buffers.rowDistance[atRow]), hn::TableLookupLanes(before, up));
+      const auto below = p == 0 ? hn::Load(d, buffers.carried + carried) : previous[p == 0 ? 0 : p - 1];
+      const auto before = previous[p];
+      const auto beside = hn::IfThenElse(lane0, hn::Set(d, buffers.row[atRow]), hn::TableLookupLanes(before, up));
       const Upwind upwind{hn::Abs(before), hn::Abs(beside), hn::Abs(below)};
       const auto old = hn::Load(d, cell);
       auto distance = old;
@@ -68,32 +60,16 @@ bool sweepTileAs(const TileBuffers& buffers, const SweepMetric& gridMetric, Tile
         difference = hn::Or(difference, hn::Xor(hn::BitCast(du, distance), hn::BitCast(du, old)));
         hn::Store(distance, d, cell);
       }
-      if constexpr (kLight) {
-        const auto lightBelow =
-            p == 0 ? hn::Load(d, buffers.carriedLight + carried) : previousLight[p == 0 ? 0 : p - 1];
-        const auto lightBefore = previousLight[p];
-        const auto lightBeside =
-            hn::IfThenElse(lane0, hn::Set(d, buffers.rowLight[atRow]), hn::TableLookupLanes(lightBefore, up));
-        const auto visibility = arrivingLight(weights, lightBefore, lightBeside, lightBelow);
-        const auto leaving = hn::Mul(visibility, transmittance(solid, distance));
-        previousLight[p] = leaving;
-        hn::Store(visibility, d, buffers.visibility + p * planeStride + origin + t * lanes);
-        hn::BlendedStore(leaving, lastLane, d, buffers.lastRowLight + atLastRow);
-        if (p == kTilePlanes - 1) hn::Store(leaving, d, buffers.carriedLight + carried);
-      }
-      previousDistance[p] = distance;
-      hn::BlendedStore(distance, lastLane, d, buffers.lastRowDistance + atLastRow);
-      if (p == kTilePlanes - 1) hn::Store(distance, d, buffers.carriedDistance + carried);
+      previous[p] = distance;
+      hn::BlendedStore(distance, lastLane, d, buffers.lastRow + atLastRow);
+      if (p == kTilePlanes - 1) hn::Store(distance, d, buffers.carried + carried);
     }
   }
   return !hn::AllTrue(du, hn::Eq(difference, hn::Zero(du)));
 }
 
 bool sweepTileOnTarget(const TileBuffers& buffers, const SweepMetric& metric, TileSpan span) {
-  const bool light = buffers.visibility != nullptr;
-  if (metric.isotropic)
-    return light ? sweepTileAs<true, true>(buffers, metric, span) : sweepTileAs<true, false>(buffers, metric, span);
-  return light ? sweepTileAs<false, true>(buffers, metric, span) : sweepTileAs<false, false>(buffers, metric, span);
+  return metric.isotropic ? sweepTileAs<true>(buffers, metric, span) : sweepTileAs<false>(buffers, metric, span);
 }
 
 }  // namespace isolume::HWY_NAMESPACE

@@ -37,18 +37,14 @@ struct TileSpan {
 };
 
 /// Buffers of one block of rows (all its tiles along z in turn), 64 bytes aligned by the owner. Steps are counted from
-/// -frontPad(), in the tile's own two buffers from the start of the span; an entry outside the grid or the span holds
-/// "outside": kOutsideDistance, unit light.
+/// -frontPad(), in the tile's own `distance` from the start of the span; an entry outside the grid or the span holds
+/// kOutsideDistance.
 struct TileBuffers {
-  int rowLength = 0;                   ///< of the grid: gives the sizes of all buffers
-  float* distance = nullptr;           ///< [plane][step][lane], in and out
-  float* visibility = nullptr;         ///< [plane][step][lane], out; nullptr: distance alone
-  float* carriedDistance = nullptr;    ///< [step][lane]: plane below the tile, replaced by the tile's last plane
-  float* carriedLight = nullptr;       ///< V tau of the same
-  const float* rowDistance = nullptr;  ///< [plane][step]: the row below the tile
-  const float* rowLight = nullptr;
-  float* lastRowDistance = nullptr;  ///< [plane][step]: the tile's own last row, for the block above
-  float* lastRowLight = nullptr;
+  int rowLength = 0;           ///< of the grid: gives the sizes of all buffers
+  float* distance = nullptr;   ///< [plane][step][lane], in and out
+  float* carried = nullptr;    ///< [step][lane]: plane below the tile, replaced by the tile's last plane
+  const float* row = nullptr;  ///< [plane][step]: the row below the tile
+  float* lastRow = nullptr;    ///< [plane][step]: the tile's own last row, for the block above
 };
 
 /// Steps before the first that every buffer holds, so that staggered planes need no special case.
@@ -59,8 +55,7 @@ inline int paddedSteps(int nx, int lanes) { return frontPad() + nx + 2 * lanes +
 inline int rowFrontPad(int lanes) { return frontPad() + 2 * lanes; }
 inline int paddedRow(int nx, int lanes) { return rowFrontPad(lanes) + nx + lanes + kTilePlanes; }
 
-/// Sweeps a span of one tile: distances ([Singh10] Sec. 1.1) and, where asked for, visibility (Eq. 6 to 8). Returns
-/// whether any distance changed.
+/// Sweeps the distances of a span of one tile ([Singh10] Sec. 1.1). Returns whether any changed.
 bool sweepTile(const TileBuffers& buffers, const SweepMetric& metric, TileSpan span);
 
 }  // namespace isolume

@@ -1,8 +1,6 @@
 #include "tile_io.h"
 
 #include <algorithm>
-#include <cmath>
-#include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/tile_io.cpp"
@@ -109,26 +107,18 @@ HWY_INLINE FloatVec loadPart(const float* row, std::ptrdiff_t strideX, RowPart p
 #endif
 }
 
-HWY_INLINE void storeWhole(FloatVec values, float* to) { hn::StoreU(values, FloatTag(), to); }
-HWY_INLINE void storeWhole(FloatVec values, std::uint8_t* to) {
+HWY_INLINE void storePart(FloatVec values, float* row, std::ptrdiff_t strideX, RowPart part) {
   const FloatTag d;
-  const hn::Rebind<std::uint8_t, FloatTag> d8;
-  hn::StoreU(hn::DemoteTo(d8, hn::NearestInt(hn::Mul(values, hn::Set(d, 255.0F)))), d8, to);
-}
-template <class T>
-HWY_INLINE void storePart(FloatVec values, T* row, std::ptrdiff_t strideX, RowPart part) {
-  const int lanes = static_cast<int>(hn::Lanes(FloatTag()));
-  if (part.whole(lanes)) return storeWhole(values, memoryStart(row, strideX, part.x, lanes));
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  if (part.whole(lanes)) return hn::StoreU(values, d, memoryStart(row, strideX, part.x, lanes));
 #if HWY_TARGET <= HWY_AVX2
-  if constexpr (std::is_same_v<T, float>) {
-    float* to = memoryStart(row, strideX, part.x, lanes);
-    return hn::BlendedStore(values, part.inMemory(strideX), FloatTag(), to);
-  }
-#endif
-  T inMemory[kMaxLanes];
-  storeWhole(values, inMemory);
+  hn::BlendedStore(values, part.inMemory(strideX), d, memoryStart(row, strideX, part.x, lanes));
+#else
+  alignas(64) float inMemory[kMaxLanes];
+  hn::Store(values, d, inMemory);
   for (int i = std::max(0, -part.x); i < std::min(lanes, part.count - part.x); ++i)
     row[(part.x + i) * strideX] = inMemory[strideX > 0 ? i : lanes - 1 - i];
+#endif
 }
 
 // Calls visit(t, whole) for blocks of lanes steps that cover all that a sweep of the span looks at; whole: in all of
@@ -184,8 +174,7 @@ void loadCarriedOnTarget(const OctantWalk& walk, TileOrigin origin, TileSpan spa
   loadPlane(walk, origin.y, origin.z - 1, span, grid, steps);
 }
 
-template <class T>
-void storeTileAs(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, T* grid) {
+void storeTileOnTarget(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, float* grid) {
   const FloatTag d;
   constexpr int lanes = kMaxLanes;
   const bool forward = walk.strideX > 0;
@@ -195,16 +184,16 @@ void storeTileAs(const OctantWalk& walk, TileOrigin origin, TileSpan span, const
     if (z < 0 || z >= walk.size.z) continue;
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(plane) * paddedSteps(walk.size.x, lanes) + frontPad();
     const float* steps = buffer + at * lanes;
-    T* start = grid + walk.start + z * walk.strideZ + span.first * walk.strideX;
+    float* start = grid + walk.start + z * walk.strideZ + span.first * walk.strideX;
     visitSteps(span, lanes, [&](int t, bool whole) {
       FloatVec rows[lanes];
       for (int i = 0; i < lanes; ++i)
         rows[i] = hn::Load(d, steps + static_cast<std::ptrdiff_t>(t + (forward ? i : lanes - 1 - i)) * lanes);
       transpose(rows);
       if (whole && allRows) {
-        T* first = memoryStart(start + origin.y * walk.strideY, walk.strideX, t, lanes);
+        float* first = memoryStart(start + origin.y * walk.strideY, walk.strideX, t, lanes);
         const std::ptrdiff_t step = walk.strideY - walk.strideX;
-        for (int lane = 0; lane < lanes; ++lane) storeWhole(rows[lane], first + lane * step);
+        for (int lane = 0; lane < lanes; ++lane) hn::StoreU(rows[lane], d, first + lane * step);
         return;
       }
       for (int lane = std::max(0, -origin.y); lane < std::min(lanes, walk.size.y - origin.y); ++lane) {
@@ -215,14 +204,6 @@ void storeTileAs(const OctantWalk& walk, TileOrigin origin, TileSpan span, const
   }
 }
 
-void storeFloatsOnTarget(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, float* grid) {
-  storeTileAs(walk, origin, span, buffer, grid);
-}
-void storeBytesOnTarget(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer,
-                        std::uint8_t* grid) {
-  storeTileAs(walk, origin, span, buffer, grid);
-}
-
 }  // namespace isolume::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -231,8 +212,7 @@ namespace isolume {
 
 HWY_EXPORT(loadTileOnTarget);
 HWY_EXPORT(loadCarriedOnTarget);
-HWY_EXPORT(storeFloatsOnTarget);
-HWY_EXPORT(storeBytesOnTarget);
+HWY_EXPORT(storeTileOnTarget);
 
 OctantWalk walkOctant(glm::ivec3 size, const Octant& octant) {
   const std::ptrdiff_t strideY = size.x;
@@ -254,10 +234,7 @@ void loadCarried(const OctantWalk& walk, TileOrigin origin, TileSpan span, const
   HWY_DYNAMIC_DISPATCH(loadCarriedOnTarget)(walk, origin, span, grid, carried);
 }
 void storeTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, float* grid) {
-  HWY_DYNAMIC_DISPATCH(storeFloatsOnTarget)(walk, origin, span, buffer, grid);
-}
-void storeTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, std::uint8_t* grid) {
-  HWY_DYNAMIC_DISPATCH(storeBytesOnTarget)(walk, origin, span, buffer, grid);
+  HWY_DYNAMIC_DISPATCH(storeTileOnTarget)(walk, origin, span, buffer, grid);
 }
 
 void loadRowBelow(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* rows) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "grid.h"
 #include "octants.h"
@@ -27,14 +26,12 @@ struct TileOrigin {
 
 /// Fills a span of a tile's buffer, and the steps around it; what is not in the grid or the span is outside.
 void loadTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* buffer);
-/// The same for what the tile upwind in z hands over (TileBuffers::carriedDistance), from the grid.
+/// The same for what the tile upwind in z hands over (TileBuffers::carried), from the grid.
 void loadCarried(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* carried);
-/// And for the row upwind in y (TileBuffers::rowDistance).
+/// And for the row upwind in y (TileBuffers::row).
 void loadRowBelow(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* rows);
 
 /// Writes a span back; rows and planes beyond the grid are not stored.
 void storeTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, float* grid);
-/// As bytes: round(255 value), for values in [0, 1].
-void storeTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* buffer, std::uint8_t* grid);
 
 }  // namespace isolume

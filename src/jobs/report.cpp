@@ -39,11 +39,8 @@ void writeReport(const std::string& path, const StageLog& log, const Surface& su
   report["dims"] = {size.x, size.y, size.z};
   report["threads"] = threadCount();
   report["stages"] = nlohmann::ordered_json::array();
-  for (const StageRecord& stage : log.stages()) {
-    nlohmann::ordered_json entry{{"name", stage.name}, {"seconds", stage.seconds}, {"bytes", stage.bytes}};
-    if (!stage.includedIn.empty()) entry["included_in"] = stage.includedIn;
-    report["stages"].push_back(entry);
-  }
+  for (const StageRecord& stage : log.stages())
+    report["stages"].push_back({{"name", stage.name}, {"seconds", stage.seconds}, {"bytes", stage.bytes}});
   report["seconds"] = log.secondsSinceStart();
   report["peak_rss_bytes"] = peakResidentBytes();
   report["settings"] = provenance.settings;

@@ -14,9 +14,8 @@ namespace isolume {
 std::size_t fileBytes(const std::string& path);
 
 /// An object with `command`, `version`, `input` (`path`, `sha256`, `format`, `type`), `voxels`, `dims`, `threads`,
-/// `stages` (array of `name`, `seconds`, `bytes`, and `included_in` for a stage that shared another's pass; see
-/// stage_log.h), `seconds` (the whole job), `peak_rss_bytes`, and `settings` (all of them, defaults resolved).
-/// Written atomically; OutputError.
+/// `stages` (array of `name`, `seconds`, `bytes`; see stage_log.h), `seconds` (the whole job), `peak_rss_bytes`, and
+/// `settings` (all of them, defaults resolved). Written atomically; OutputError.
 void writeReport(const std::string& path, const StageLog& log, const Surface& surface, const Provenance& provenance);
 
 }  // namespace isolume

@@ -42,12 +42,8 @@ void StageLog::progress(const std::string& doing) {
 }
 
 void StageLog::end(std::size_t bytes) {
-  stages_.push_back({running_, std::chrono::duration<double>(Clock::now() - stageStart_).count(), bytes, ""});
+  stages_.push_back({running_, std::chrono::duration<double>(Clock::now() - stageStart_).count(), bytes});
   clearLine();
-}
-
-void StageLog::addIncluded(const std::string& name, std::size_t bytes, const std::string& includedIn) {
-  stages_.push_back({name, 0, bytes, includedIn});
 }
 
 void StageLog::tell(const std::string& kind, const std::string& line) {
@@ -66,10 +62,7 @@ void StageLog::printTable() const {
   fmt::print(stderr, "{:<12}{:>10}{:>12}\n", "stage", "seconds", "MiB");
   for (const StageRecord& stage : stages_) {
     const double mebibytes = static_cast<double>(stage.bytes) / kMebibyte;
-    if (stage.includedIn.empty())
-      fmt::print(stderr, "{:<12}{:>10.3f}{:>12.1f}\n", stage.name, stage.seconds, mebibytes);
-    else
-      fmt::print(stderr, "{:<12}{:>10}{:>12.1f}  in {}\n", stage.name, "-", mebibytes, stage.includedIn);
+    fmt::print(stderr, "{:<12}{:>10.3f}{:>12.1f}\n", stage.name, stage.seconds, mebibytes);
   }
   fmt::print(stderr, "{:<12}{:>10.3f}{:>12.1f}  peak resident\n", "whole job", secondsSinceStart(),
              static_cast<double>(peakResidentBytes()) / kMebibyte);

@@ -1,11 +1,9 @@
 // Time and memory of the stages of a job, and what the user sees of them while it runs.
 //
 // Stages: read (file to levels, with the choice of the isovalue), distance, visibility, upload (context, shaders,
-// textures), frame (drawing and reading back), write (encoding and writing). Distance and visibility are swept in one
-// pass, so their common time stands under `distance` and visibility has 0 seconds and says in which stage it is
-// included: the sum over the stages stays the time of the job. `bytes` is the memory that a stage's result takes while
-// the job runs, for `write` the size of the file. On a terminal one line on standard error is updated per stage; else
-// nothing is printed, nor with --quiet. Not thread-safe.
+// textures), frame (drawing and reading back), write (encoding and writing). `bytes` is the memory that a stage's
+// result takes while the job runs, for `write` the size of the file. On a terminal one line on standard error is
+// updated per stage; else nothing is printed, nor with --quiet. Not thread-safe.
 #pragma once
 
 #include <chrono>
@@ -21,7 +19,6 @@ struct StageRecord {
   std::string name;
   double seconds = 0;
   std::size_t bytes = 0;
-  std::string includedIn;  ///< stage whose seconds hold this one's, or ""
 };
 
 class StageLog {
@@ -37,8 +34,6 @@ class StageLog {
   void progress(const std::string& doing);
   /// The stage that runs ends, with what its result takes.
   void end(std::size_t bytes);
-  /// A stage that had no pass of its own.
-  void addIncluded(const std::string& name, std::size_t bytes, const std::string& includedIn);
   /// One line for the user, unless --quiet: "isolume: warning: ...". Held back until finish(), so that a job that fails
   /// says one line alone: its error.
   void tell(const std::string& kind, const std::string& line);
