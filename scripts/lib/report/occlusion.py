@@ -71,9 +71,7 @@ def row_of(scene: Scene, threads: int, method: str, knob: float | None, first: l
             "further_seconds": b.median, "further_least": b.least, "further_most": b.most, **error}
 
 
-def our_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, errors: dict[str, Row], truth: Path,
-             threads: int) -> list[Row]:
-    """`errors` is kept from one number of threads to the next, since pictures do not depend on it."""
+def our_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, truth: Path, threads: int) -> list[Row]:
     report = json_of([programs.report / "report_frames", *scene.arguments(), "--size", size_text(matrix), "--offsets",
                       ",".join(map(str, matrix.offsets)), "--ordinates",
                       ",".join(f"{count}:{refinement}" for count, refinement in matrix.ordinates), "--runs",
@@ -82,15 +80,12 @@ def our_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, errors
     for entry in report["pictures"]:
         by_octants = entry["occlusion"] == "octants"
         knob = entry["occlusion-offset"] if by_octants else entry["ordinates"]
-        key = f"{stem}_{entry['occlusion']}_{knob:g}"
-        if key not in errors:
-            picture = programs.work / f"{key}.exr"
-            output_of([programs.isolume, "render", *scene.arguments(), "--size", size_text(matrix),
-                       *occlusion_options(entry), "--layers", "all", "-o", picture])
-            errors[key] = error_of(programs, picture, truth)
+        picture = programs.work / f"{stem}_{entry['occlusion']}_{knob:g}.exr"
+        output_of([programs.isolume, "render", *scene.arguments(), "--size", size_text(matrix),
+                   *occlusion_options(entry), "--layers", "all", "-o", picture])
         first = sums(entry["sweep"], entry["upload"], entry["first_frame"])
         rows.append(row_of(scene, threads, OCTANTS if by_octants else ORDINATES, knob, first, entry["seconds"],
-                           errors[key]))
+                           error_of(programs, picture, truth)))
     return rows
 
 
@@ -100,18 +95,16 @@ def occlusion_options(entry: Any) -> list[str]:
     return [word for key in keys if key in entry for word in (f"--{key}", str(entry[key]))]
 
 
-def embree_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, errors: dict[str, Row], truth: Path,
+def embree_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, truth: Path,
                 threads: int) -> tuple[list[Row], Any]:
     report = json_of([programs.report / "peer_embree", *scene.arguments(), "--size", size_text(matrix), "--rays",
                       ",".join(map(str, matrix.rays)), "--runs", matrix.runs, "--threads", threads, "-o",
                       programs.work / f"{stem}_embree_"], threads)
     rows = []
     for entry in report["pictures"]:
-        key = f"{stem}_embree_{entry['rays']}"
-        if key not in errors:
-            errors[key] = error_of(programs, Path(entry["picture"]), truth)
+        error = error_of(programs, Path(entry["picture"]), truth)
         first = sums(report["mesh"], report["bvh"], entry["seconds"])
-        rows.append(row_of(scene, threads, EMBREE, entry["rays"], first, entry["seconds"], errors[key]))
+        rows.append(row_of(scene, threads, EMBREE, entry["rays"], first, entry["seconds"], error))
     return rows, report
 
 
@@ -174,29 +167,26 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
     for scene in scenes_of(matrix, programs, section):
         stem = scene.path.name.partition(".")[0]
         truth = reference(matrix, programs, scene, stem)
-        rows: list[Row] = []
-        errors: dict[str, Row] = {}
-        for threads in matrix.threads:
-            rows += our_rows(matrix, programs, scene, stem, errors, truth, threads)
-            if (programs.report / "peer_embree").exists():
-                peer, report = embree_rows(matrix, programs, scene, stem, errors, truth, threads)
-                rows += peer
-                versions |= {"embree": report["version"], "offset": digits(report["ray_offset_of_diagonal"])}
-            else:
-                section.gaps.append(("occlusion, Embree", "Embree was not found by the build"))
-            gap = peers.vtk_gap(programs, scene, stem, matrix)
-            if gap:
-                section.gaps.append((f"occlusion, {scene.name}, VTK", gap))
-            else:
-                peer, report = vtk_rows(matrix, programs, scene, stem, truth, threads)
-                rows += peer
-                versions["vtk"] = report["version"]
+        threads = matrix.threads[-1]
+        rows = our_rows(matrix, programs, scene, stem, truth, threads)
+        if (programs.report / "peer_embree").exists():
+            peer, report = embree_rows(matrix, programs, scene, stem, truth, threads)
+            rows += peer
+            versions |= {"embree": report["version"], "offset": digits(report["ray_offset_of_diagonal"])}
+        else:
+            section.gaps.append(("occlusion, Embree", "Embree was not found by the build"))
+        gap = peers.vtk_gap(programs, scene, stem, matrix)
+        if gap:
+            section.gaps.append((f"occlusion, {scene.name}, VTK", gap))
+        else:
+            peer, report = vtk_rows(matrix, programs, scene, stem, truth, threads)
+            rows += peer
+            versions["vtk"] = report["version"]
         section.tables.append(f"### {scene.name}\n\n" + table_of(rows))
         section.findings += findings(scene, rows)
-        last = [row for row in rows if row["threads"] == matrix.threads[-1]]
         section.plots.append(Plot(f"occlusion_{stem}", f"{scene.name}, {matrix.threads[-1]} threads: to the left is "
                                   "faster, below is closer to the truth; labels are each method's knob.",
-                                  lambda path, shown=last, title=scene.name: occlusion_plot(shown, title, path)))
+                                  lambda path, shown=rows, title=scene.name: occlusion_plot(shown, title, path)))
         all_rows += rows
     section.gaps = list(dict.fromkeys(section.gaps))
     section.data["occlusion"] = all_rows
