@@ -94,7 +94,7 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
     rows: list[Row] = []
     report: Any = None
     for name, arguments in inputs(matrix, programs, section):
-        for threads in matrix.threads:
+        for threads in matrix.distance_threads:
             report = json_of([programs.report / "report_distance", *arguments, "--threads", threads, "--runs",
                               matrix.runs, "--judged", matrix.judged], threads)
             rows += rows_of(name, report)
@@ -104,10 +104,10 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
                       for solver in report["solvers"])
     section.introduction = INTRODUCTION.format(tolerance=report["truth_tolerance"], anywhere=matrix.judged,
                                                near=matrix.judged, reach=f"{report['near']:g}", calls=calls)
-    section.tables.append(table_of(rows, matrix.threads))
+    section.tables.append(table_of(rows, matrix.distance_threads))
     section.findings = findings(rows)
     section.data["distance"] = rows
-    last = [row for row in rows if row["threads"] == matrix.threads[-1]]
+    last = [row for row in rows if row["threads"] == matrix.distance_threads[-1]]
     section.plots.append(Plot("distance", "Distance solvers: to the left is faster, below is more accurate; left "
                               "over the whole grid, right next to the surface.",
                               lambda path: distance_plot(last, path)))

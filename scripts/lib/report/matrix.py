@@ -26,6 +26,7 @@ class Matrix:
     name: str
     runs: int
     threads: tuple[int, ...]
+    distance_threads: tuple[int, ...]
     distance_shapes: tuple[str, ...]
     distance_sizes: tuple[int, ...]
     distance_volumes: tuple[Volume, ...]
@@ -65,11 +66,12 @@ FULL = Matrix(
     name="full",
     runs=3,
     threads=thread_counts(),
+    distance_threads=thread_counts()[-1:],  # OpenVDB takes a minute and more on one
     distance_shapes=("sphere", "torus", "gyroid"),
     distance_sizes=(250,),
     distance_volumes=(BETA_GALACTOSIDASE,),
     judged=2000,
-    occlusion_scenes=("corner", "gyroid", "capsules"),
+    occlusion_scenes=("corner", "gyroid"),
     occlusion_sizes=(256,),
     occlusion_volumes=(BETA_GALACTOSIDASE, CRANIUM),
     picture=(512, 512),
@@ -85,7 +87,7 @@ FULL = Matrix(
     screen_picture=(256, 256),
     screen_time=(1024, 1024),
     screen_samples=12,
-    screen_rays=256,
+    screen_rays=128,
     scaling_scene="capsules",
     scaling_sizes=(64, 128, 256, 512),
     table_repetitions=5,
@@ -96,6 +98,7 @@ QUICK = Matrix(
     name="quick",
     runs=1,
     threads=thread_counts()[-1:],
+    distance_threads=FULL.distance_threads,
     distance_shapes=FULL.distance_shapes,
     distance_sizes=(64,),
     distance_volumes=FULL.distance_volumes,
