@@ -15,7 +15,8 @@
 namespace isolume {
 namespace {
 
-constexpr double kDraftError = 0.05, kGoodError = 0.02;
+/// To two digits .05 and .02: the noise of the truth moves the third.
+constexpr double kDraftError = 0.0505, kGoodError = 0.0205;
 /// Where many more ordinates gain no more than that they are not worth their time.
 constexpr double kBestTolerance = 1.05;
 /// Voxels above the surface at which self-occlusion by Eq. 7 no longer shows, [Singh10] read at the hit.

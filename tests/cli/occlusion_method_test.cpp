@@ -47,6 +47,13 @@ TEST(OcclusionMethod, QualityIsABoundOnTheError) {
   EXPECT_EQ(choose({.quality = OcclusionQuality::best}).error, 0.015);
 }
 
+TEST(OcclusionMethod, TheShippedCalibrationKeepsTheDefaults) {
+  // What is chosen by the calibration that the program carries is the default of the sweep itself, which `fields` and
+  // README speak of.
+  EXPECT_EQ(chooseOcclusion({}).ordinates.ordinates, OrdinateOptions().ordinates);
+  EXPECT_EQ(chooseOcclusion({}).ordinates.refinement, OrdinateOptions().refinement);
+}
+
 TEST(OcclusionMethod, OrdinatesHaveTheErrorOfTheNextFewerOnes) {
   // A number between two calibrated ones states the error of the lower; below all of them none is stated.
   EXPECT_EQ(choose({.ordinates = 200}).error, 0.03);
