@@ -1,8 +1,12 @@
 """Rows of the screen-space estimators as tables."""
 
+import importlib.util
 import unittest
 
-from report.screen import estimators, finding, light, name_of, sweeps
+if importlib.util.find_spec("matplotlib") is None:
+    raise unittest.SkipTest("python3-matplotlib is not installed")
+
+from report.screen import estimators, finding, light, name_of, sweeps  # noqa: E402
 
 ROW = {"occlusion": "gtao", "ao-samples": 12, "milliseconds": 41.26, "integral": "cosine", "rmse": 0.0512,
        "bias": -0.01, "rmse_ambient": 0.2, "bias_ambient": 0.15}
