@@ -304,7 +304,7 @@ void Renderer::upload(const SceneFields& fields) {
 void Renderer::prepare(const RenderSettings& settings) {
   checkSettings(settings, impl_->scene);
   if (settings.screen) return;  // many programs, some for the first picture alone: it builds them
-  if (settings.shading == Shading::octants) impl_->geometryTerm(settings.geometryTerm);
+  if (settings.shading == Shading::octants) impl_->geometryTerms(settings);
   impl_->program(settings.shading, settings.suns.size());
 }
 

@@ -18,19 +18,12 @@ struct SkyTexel {
   float angle;      ///< solid angle
 };
 
-glm::dvec3 texelDirection(std::size_t index) {
-  constexpr std::size_t kEdge = kConeSide, kFace = kEdge * kEdge;
-  const std::size_t texel = index % kFace;
-  return cubeDirection(kConeSide, static_cast<int>(index / kFace),
-                       {static_cast<double>(texel % kEdge) + 0.5, static_cast<double>(texel / kEdge) + 0.5});
-}
-
 std::vector<SkyTexel> texelsOf(const SkyCube& sky) {
   const std::vector<double> angles = cubeSolidAngles(sky.side);
   std::vector<SkyTexel> texels;
   for (std::size_t i = 0; i < sky.radiance.size(); ++i) {
     const auto angle = static_cast<float>(angles[i % angles.size()]);
-    texels.push_back({glm::vec3(texelDirection(i)), angle * sky.radiance[i], angle});
+    texels.push_back({glm::vec3(cubeTexelDirection(sky.side, i)), angle * sky.radiance[i], angle});
   }
   return texels;
 }

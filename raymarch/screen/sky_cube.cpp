@@ -51,6 +51,12 @@ glm::dvec3 cubeDirection(int side, int face, glm::dvec2 at) {
   return glm::normalize(facePoint(face, 2 * at.x / side - 1, 2 * at.y / side - 1));
 }
 
+glm::dvec3 cubeTexelDirection(int side, std::size_t texel) {
+  const auto edge = static_cast<std::size_t>(side), face = edge * edge;
+  const glm::dvec2 at(static_cast<double>(texel % edge), static_cast<double>(texel % face / edge));
+  return cubeDirection(side, static_cast<int>(texel / face), at + 0.5);
+}
+
 std::size_t cubeTexel(int side, glm::dvec3 direction) {
   const glm::dvec3 size = glm::abs(direction);
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -80,12 +86,8 @@ void addEvenSky(SkyCube& sky, glm::vec3 radiance) {
 
 void addBandedSky(SkyCube& sky, glm::vec3 zenith, glm::vec3 horizon, glm::vec3 ground, glm::dmat3 worldFromAxes) {
   const glm::dvec3 up = glm::transpose(worldFromAxes)[2];
-  const auto perFace = static_cast<std::size_t>(sky.side) * static_cast<std::size_t>(sky.side);
   for (std::size_t i = 0; i < sky.radiance.size(); ++i) {
-    const std::size_t texel = i % perFace, edge = static_cast<std::size_t>(sky.side);
-    const glm::dvec2 centre(static_cast<double>(texel % edge) + 0.5, static_cast<double>(texel / edge) + 0.5);
-    const auto height =
-        static_cast<float>(glm::dot(up, cubeDirection(sky.side, static_cast<int>(i / perFace), centre)));
+    const auto height = static_cast<float>(glm::dot(up, cubeTexelDirection(sky.side, i)));
     sky.radiance[i] +=
         std::max(height, 0.0F) * zenith + (1 - std::abs(height)) * horizon + std::max(-height, 0.0F) * ground;
   }

@@ -22,6 +22,8 @@ struct SkyCube {
 
 /// Unit vector to a place on a face, `at` in texels from its corner: the centre of texel (i, j) is (i + 1/2, j + 1/2).
 glm::dvec3 cubeDirection(int side, int face, glm::dvec2 at);
+/// To the centre of a texel, by its index.
+glm::dvec3 cubeTexelDirection(int side, std::size_t texel);
 /// Of a direction of any length but 0: the index of its texel.
 std::size_t cubeTexel(int side, glm::dvec3 direction);
 /// Steradians of the texels of one face, row-major.

@@ -7,11 +7,12 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "sweep/ordinates/sky_ordinates.h"
+
 namespace isolume {
 namespace {
 
-/// Relative luminance of linear Rec. 709 primaries.
-constexpr glm::vec3 kLuminance{0.2126F, 0.7152F, 0.0722F};
+float luminanceOf(glm::vec3 radiance) { return glm::dot(radiance, glm::vec3(kLuminance)); }
 
 struct CellTexel {
   std::size_t index;
@@ -52,8 +53,7 @@ std::vector<glm::vec4> skyDraws(const SkyCube& sky) {
     std::vector<double> powerUpTo;
     double power = 0;
     for (const CellTexel& texel : texels)
-      powerUpTo.push_back(power +=
-                          angles[texel.index % angles.size()] * glm::dot(sky.radiance[texel.index], kLuminance));
+      powerUpTo.push_back(power += angles[texel.index % angles.size()] * luminanceOf(sky.radiance[texel.index]));
     table.emplace_back(glm::vec3(cubeDirection(kCellsAlong, face, glm::dvec2(place) + 0.5)), power);
     for (int draw = 0; draw < kCellDraws; ++draw) {
       // Places within strata and texels by the golden ratio: no two cells have the same, so nothing lines up.
@@ -63,7 +63,7 @@ std::vector<glm::vec4> skyDraws(const SkyCube& sky) {
       const CellTexel& texel = texels[static_cast<std::size_t>(found)];
       const glm::dvec2 within(std::fmod(share * kCellDraws, 1.0), std::fmod(share * kCellDraws * kCellDraws, 1.0));
       const glm::vec3 radiance = sky.radiance[texel.index];
-      const float luminance = glm::dot(radiance, kLuminance);
+      const float luminance = luminanceOf(radiance);
       table.emplace_back(glm::vec3(cubeDirection(sky.side, face, glm::dvec2(texel.place) + within)), 0);
       table.emplace_back(luminance > 0 ? radiance / luminance : glm::vec3(0), 0);
     }

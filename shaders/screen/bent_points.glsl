@@ -18,39 +18,23 @@ float diskOpen(vec3 normal, Axes axes, vec3 direction) {
   return before && dot(seen, normal) > kLeastRise * length(seen) ? 0.0f : 1.0f;
 }
 
-Bent bentSum(vec3 open, vec3 whole, float count, Axes axes) {
+// By points of the half ball, or of the disk.
+Bent pointsBent(Shaded shaded, bool ball) {
+  Axes axes = axesAbout(shaded.normal);
+  vec3 open = vec3(0.0f);
+  vec3 whole = vec3(0.0f);
+  float count = 0.0f;
+  for (int i = 0; i < sampleCount(); ++i) {
+    vec4 each = sampleAt(i);
+    vec3 direction = vec3(turnedBy(shaded.turn, each.x, each.y), each.z);
+    float visible = ball ? openTo(each.w * alongAxes(axes, direction)) : diskOpen(shaded.normal, axes, direction);
+    open += visible * direction;
+    whole += direction;
+    count += visible;
+  }
   float share = count / float(sampleCount());
   return Bent(alongAxes(axes, open - share * whole) / float(sampleCount()), share);
 }
 
-Bent ballBent(Shaded shaded) {
-  Axes axes = axesAbout(shaded.normal);
-  vec3 open = vec3(0.0f);
-  vec3 whole = vec3(0.0f);
-  float count = 0.0f;
-  for (int i = 0; i < sampleCount(); ++i) {
-    vec4 each = sampleAt(i);
-    vec3 direction = vec3(turnedBy(shaded.turn, each.x, each.y), each.z);
-    float visible = openTo(each.w * alongAxes(axes, direction));
-    open += visible * direction;
-    whole += direction;
-    count += visible;
-  }
-  return bentSum(open, whole, count, axes);
-}
-
-Bent diskBent(Shaded shaded) {
-  Axes axes = axesAbout(shaded.normal);
-  vec3 open = vec3(0.0f);
-  vec3 whole = vec3(0.0f);
-  float count = 0.0f;
-  for (int i = 0; i < sampleCount(); ++i) {
-    vec4 each = sampleAt(i);
-    vec3 direction = vec3(turnedBy(shaded.turn, each.x, each.y), each.z);
-    float visible = diskOpen(shaded.normal, axes, direction);
-    open += visible * direction;
-    whole += direction;
-    count += visible;
-  }
-  return bentSum(open, whole, count, axes);
-}
+Bent ballBent(Shaded shaded) { return pointsBent(shaded, true); }
+Bent diskBent(Shaded shaded) { return pointsBent(shaded, false); }

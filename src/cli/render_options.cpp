@@ -89,28 +89,22 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
 void addColorOptions(CLI::App& app, RenderJob& job) {
   OptionGroup group(app, "Colour");
   ColorRequest& color = job.color;
-  bool& given = job.colorGiven;
   group.value(
       "--color-by", "FILE|x|y|z", [&color](const std::string&, const std::string& text) { color.by = text; },
       "a volume of the same world, of any grid, whose values\ncolour the surface in place of --albedo; or a "
       "coordinate");
   group.value(
-      "--color-grid", "NAME",
-      [&color, &given](const std::string&, const std::string& text) {
-        color.grid = text;
-        given = true;
-      },
+      "--color-grid", "NAME", [&color](const std::string&, const std::string& text) { color.grid = text; },
       "grid of a VDB file to colour by (default: its only one)");
   group.value(
       "--color-range", "LOW,HIGH",
-      [&color, &given](const std::string& option, const std::string& text) {
+      [&color](const std::string& option, const std::string& text) {
         const std::vector<std::string> ends = splitList(text);
         if (ends.size() != 2)
           throw UsageError(fmt::format("{}: expected two numbers, LOW,HIGH, found '{}'", option, text));
         color.range = glm::dvec2(parseNumber(option, ends[0]), parseNumber(option, ends[1]));
         if (!(color.range->x < color.range->y))
           throw UsageError(fmt::format("{}: expected LOW below HIGH, found {}", option, text));
-        given = true;
       },
       "what the ends of the map stand for; beyond them nothing\nchanges (default: the field's smallest and largest)");
   Choices<ColorMap> maps;
@@ -118,9 +112,8 @@ void addColorOptions(CLI::App& app, RenderJob& job) {
     maps.emplace_back(colorMapName(map), map);
   group.value(
       "--color-map", "NAME",
-      [&color, &given, maps](const std::string& option, const std::string& text) {
+      [&color, maps](const std::string& option, const std::string& text) {
         color.map = parseChoice(option, text, maps);
-        given = true;
       },
       "sequential, diverging (blue, white, orange) or grey;\nunknown values are grey (default: sequential)");
 }
@@ -197,7 +190,7 @@ void checkRenderOptions(const RenderJob& job) {
     throw UsageError(fmt::format("--layers: expected an .exr to hold them, found '{}'", job.output));
   if (ending == ".exr" && job.bitDepth)
     throw UsageError(fmt::format("--bit-depth: expected a .png (an .exr holds 32-bit floats), found '{}'", job.output));
-  checkColorRequest(job.color, job.colorGiven);
+  checkColorRequest(job.color);
   if (!job.color.by.empty() && job.light.bounces.value_or(0) != 0)
     throw UsageError("--bounces: expected a surface of one albedo, found --color-by");
   const OcclusionMethod method = chooseOcclusion(job.occlusion).method;

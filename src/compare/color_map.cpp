@@ -33,9 +33,9 @@ glm::dvec3 linearSrgbFromLab(glm::dvec3 lab) {
 
 /// `along` in [0, 1].
 glm::vec3 between(const std::array<glm::dvec3, 5>& points, double along) {
-  constexpr double kSegments = std::tuple_size_v<std::array<glm::dvec3, 5>> - 1;
-  const double place = along * kSegments;
-  const auto segment = static_cast<std::size_t>(std::min(std::floor(place), kSegments - 1));
+  const auto segments = static_cast<double>(points.size() - 1);
+  const double place = along * segments;
+  const auto segment = static_cast<std::size_t>(std::min(std::floor(place), segments - 1));
   const glm::dvec3 lab = glm::mix(points[segment], points[segment + 1], place - static_cast<double>(segment));
   return glm::vec3(glm::clamp(linearSrgbFromLab(lab), 0.0, 1.0));
 }

@@ -11,4 +11,6 @@ struct Color {
   glm::vec3 linear{1};  ///< linear light
 };
 
+inline bool isGrey(glm::vec3 color) { return color.r == color.g && color.g == color.b; }
+
 }  // namespace isolume

@@ -100,10 +100,14 @@ const char* colorMapName(ColorMap map) {
   return nullptr;
 }
 
-void checkColorRequest(const ColorRequest& request, bool given) {
-  if (!given || !request.by.empty()) return;
-  const char* option = !request.grid.empty() ? "--color-grid" : request.range ? "--color-range" : "--color-map";
-  throw UsageError(fmt::format("{}: expected --color-by beside it, found none", option));
+void checkColorRequest(const ColorRequest& request) {
+  const char* part = !request.grid.empty() ? "--color-grid"
+                     : request.range       ? "--color-range"
+                     : request.map         ? "--color-map"
+                                           : nullptr;
+  if (part && request.by.empty()) throw UsageError(fmt::format("{}: expected --color-by beside it, found none", part));
+  if (coordinateOf(request.by) >= 0 && !request.grid.empty())
+    throw UsageError(fmt::format("--color-grid: expected a file to colour by, found the coordinate {}", request.by));
 }
 
 ColorField SurfaceColoring::field() const {
@@ -119,8 +123,6 @@ SurfaceColoring readColoring(const ColorRequest& request, const std::array<glm::
   const int axis = coordinateOf(request.by);
   const Volume volume =
       axis >= 0 ? coordinateVolume(axis, corners) : readVolume(request.by, {.grid = request.grid, .raw = {}});
-  if (axis >= 0 && !request.grid.empty())
-    throw UsageError(fmt::format("--color-grid: expected a file to colour by, found the coordinate {}", request.by));
   for (const std::string& note : volume.notes) log.tell("note", note);
   if (!reachesBox(volume, corners))
     throw InputError(fmt::format("{}: expected a field that reaches the surface, found it beside its box", request.by));
@@ -133,7 +135,7 @@ SurfaceColoring readColoring(const ColorRequest& request, const std::array<glm::
   coloring.range = request.range.value_or(glm::dvec2(statistics.min, statistics.max));
   coloring.places = colorPlaces(volume, coloring.range);
   coloring.worldFromGrid = volume.worldFromGrid;
-  coloring.map = request.map;
+  coloring.map = request.map.value_or(ColorMap::sequential);
   coloring.files = volume.files;
   log.end(coloring.places.count() * sizeof(float));
   return coloring;

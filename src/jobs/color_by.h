@@ -19,11 +19,11 @@ struct ColorRequest {
   std::string by;                   ///< a volume's file, or x, y or z: a coordinate; empty: one colour
   std::string grid;                 ///< of a VDB file, as ReadOptions::grid
   std::optional<glm::dvec2> range;  ///< values that the ends of the map stand for; default: those that there are
-  ColorMap map = ColorMap::sequential;
+  std::optional<ColorMap> map;      ///< default: sequential
 };
 
-/// UsageError for a part of the request without the field.
-void checkColorRequest(const ColorRequest& request, bool given);
+/// UsageError for a part of the request without the field that it is of.
+void checkColorRequest(const ColorRequest& request);
 
 /// 4 bytes per sample of the field's own grid.
 struct SurfaceColoring {

@@ -10,6 +10,7 @@
 #include <glm/vector_relational.hpp>
 
 #include "src/errors.h"
+#include "src/jobs/color.h"
 
 namespace isolume {
 namespace {
@@ -20,8 +21,6 @@ bool has(const LightingRequest& request, LightKind kind) {
 }
 
 float exposureOf(const LightingRequest& request) { return static_cast<float>(std::exp2(request.exposure)); }
-
-bool isGrey(glm::vec3 color) { return color.r == color.g && color.g == color.b; }
 
 /// One number per sample stands for all octants, whose light is known before the grid is.
 void checkCombinedLights(const LightingRequest& request) {

@@ -13,6 +13,7 @@
 #include "raymarch/light_uniforms.h"
 #include "raymarch/view.h"
 #include "src/errors.h"
+#include "src/jobs/color.h"
 #include "src/jobs/environment_map.h"
 #include "sweep/ordinates/inter_reflection.h"
 #include "sweep/ordinates/sky_ordinates.h"
@@ -30,11 +31,7 @@ constexpr double kPointDegrees = 0.25;
 /// World units; of a solid that holds nothing back.
 constexpr double kNoOpacity = 1e30;
 
-bool isGrey(glm::vec3 color) { return color.r == color.g && color.g == color.b; }
-
-bool isGrey(const EnvironmentMap& map) {
-  return std::all_of(map.radiance.begin(), map.radiance.end(), [](glm::vec3 color) { return isGrey(color); });
-}
+bool isGreyMap(const EnvironmentMap& map) { return std::all_of(map.radiance.begin(), map.radiance.end(), isGrey); }
 
 int discOrdinates(double radiusDegrees) {
   const double share = (1 - std::cos(glm::radians(radiusDegrees))) / 2;
@@ -85,7 +82,7 @@ class LightingSweep {
   void addMap(const EnvironmentMap& map) {
     const std::vector<Ordinate> sky =
         mappedSky(count_, map.size, map.radiance, request_.rotationDegrees.value_or(0), axesFromWorld());
-    if (isGrey(map))
+    if (isGreyMap(map))
       addSky(sky, {glm::vec3(exposure_)});
     else
       addSky(sky, {{exposure_, 0, 0}, {0, exposure_, 0}, {0, 0, exposure_}});
@@ -211,7 +208,7 @@ void checkCounts(const LightingRequest& request, const EnvironmentMap* map, glm:
     else if (light.kind != LightKind::head)
       add(hard ? 0 : 1, isGrey(light.color));
   }
-  if (map) add(isGrey(*map) ? 1 : 3, isGrey(*map));
+  if (map) add(isGreyMap(*map) ? 1 : 3, isGreyMap(*map));
   if (request.bounces.value_or(0) != 0) fields += grey ? 1 : 3;
   if (suns > shader::kMostSuns)
     throw UsageError(

@@ -178,10 +178,10 @@ void runRenderJob(const RenderJob& request) {
   const double aspect = static_cast<double>(job.size.x) / job.size.y;
   const Camera camera = chooseCamera(job.camera, solidCorners(scene.surface), aspect);
   const std::optional<EnvironmentMap> map = readMap(job, log);
-  SweptLighting lighting = lightScene(job, occlusion, map ? &*map : nullptr, scene, camera, log);
-  if (occlusion.method == OcclusionMethod::combined) lighting = combinedLight(job.light, scene.swept.visibility);
   std::optional<SurfaceColoring> coloring;
   if (!job.color.by.empty()) coloring = readColoring(job.color, solidCorners(scene.surface), log);
+  SweptLighting lighting = lightScene(job, occlusion, map ? &*map : nullptr, scene, camera, log);
+  if (occlusion.method == OcclusionMethod::combined) lighting = combinedLight(job.light, scene.swept.visibility);
   RenderSettings settings = renderSettings(job, occlusion, lighting, scene, camera);
   if (settings.screen)
     settings.screen->sky =

@@ -41,7 +41,6 @@ struct RenderJob {
   /// Light grey, so that an open surface stands out from the white page of a figure.
   Color albedo{"#cccccc", glm::vec3(linearFromSrgb(0.8F))};
   ColorRequest color;       ///< with a field: in place of the albedo
-  bool colorGiven = false;  ///< whether any part of it beside the field was given
   Color background{"white", glm::vec3(1)};
   bool transparent = false;
   Layers layers;

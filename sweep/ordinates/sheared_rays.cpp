@@ -19,7 +19,7 @@ namespace isolume {
 // Rows of zeros to each side: what a shift by a row takes in, and what is read beyond the lattice: a point reads at
 // most kReach from it, and the layer that it reads lies at most kMostSkipped further along its ray.
 inline constexpr int kReach = 4, kGuardRows = kReach + kMostSkipped;
-static_assert(kGuardRows <= BitRows::kRowEnd);
+static_assert(kGuardRows <= BitRows::kRowEnd && 2 * kReach <= kMostBeyond);
 /// Of the widest vector.
 inline constexpr int kVectorWords = 8;
 

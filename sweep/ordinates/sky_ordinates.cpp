@@ -19,9 +19,6 @@ using std::numbers::pi;
 /// cut into parts.
 constexpr glm::ivec2 kBlocks{512, 256};
 
-/// Relative luminance of linear Rec. 709 primaries.
-constexpr glm::dvec3 kLuminance{0.2126, 0.7152, 0.0722};
-
 /// Integral of L w dw over a part of the sky, by colour.
 using LightVector = std::array<glm::dvec3, 3>;
 

@@ -15,6 +15,9 @@
 
 namespace isolume {
 
+/// Relative luminance of linear Rec. 709 primaries.
+inline constexpr glm::dvec3 kLuminance{0.2126, 0.7152, 0.0722};
+
 /// A uniform sky of radiance 1 in channel 0: K equal shares whose clamped cosines add up to 1 for an open point.
 std::vector<Ordinate> uniformSky(int count);
 
