@@ -12,8 +12,9 @@ namespace isolume {
 
 /// One number per sample: E / pi of a light of colour 1, or the visible share of a disc of light.
 struct LightField {
-  GridView<const std::uint16_t> values;  ///< borrowed while it is uploaded
+  GridView<const std::uint16_t> values;  ///< SurfaceField::padded(); borrowed while it is uploaded
   float full = 1;                        ///< what 65535 stands for
+  bool everywhere = false;               ///< a value at every sample: interpolated without a look at the surface
   glm::dvec3 direction{0};               ///< of a disc: towards its centre, world, any length but 0
   double radiusDegrees = 0;  ///< of a disc: angular radius, in (0, 90]; its light is multiplied with the mean clamped
                              ///< cosine at the hit's normal. 0: no disc

@@ -36,11 +36,14 @@ shader::LightUniforms makeLightUniforms(const std::vector<LightField>& fields, c
 
 GlProgram buildLightProgram(const std::vector<LightField>& fields, std::size_t suns, bool colored) {
   assert(fields.size() <= shader::kMostLightFields && suns <= shader::kMostSuns);
-  unsigned discs = 0;
-  for (std::size_t i = 0; i < fields.size(); ++i)
+  unsigned discs = 0, volumes = 0;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
     if (fields[i].radiusDegrees > 0) discs |= 1U << i;
+    if (fields[i].everywhere) volumes |= 1U << i;
+  }
   const std::string counts = fmt::format(
-      "const int kLightFields = {};\nconst int kDiscs = {};\nconst int kSuns = {};\n", fields.size(), discs, suns);
+      "const int kLightFields = {};\nconst int kDiscs = {};\nconst int kVolumes = {};\nconst int kSuns = {};\n",
+      fields.size(), discs, volumes, suns);
   const ProgramVariant& variant = programVariant("march_lights");
   return buildProgram(variant.vertex, variant.fragment, [&counts, suns, colored](std::string_view name) {
     if (name == "shaders/march/light_counts.glsl") return std::string_view(counts);

@@ -67,8 +67,8 @@ SceneTextures uploadScene(const SceneFields& fields) {
     throw GpuError(
         fmt::format("lights: expected at most {} fields, found {}", shader::kMostLightFields, fields.lights.size()));
   for (LightField field : fields.lights) {
-    checkSize("light", field.values.size, size);
-    scene.lights.push_back(makeTextureSlices("light", size, kR16, GL_NEAREST, field.values.data));
+    checkSize("light", field.values.size - 2, size);
+    scene.lights.push_back(makeTextureSlices("light", field.values.size, kR16, GL_NEAREST, field.values.data));
     field.values = {};
     scene.lightFields.push_back(field);
   }

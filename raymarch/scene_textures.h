@@ -14,7 +14,7 @@ struct SceneTextures {
   GlTexture clearance;                  ///< R8UI, cells; clearance.h
   GlTexture distance;                   ///< R16F, samples, in smallest spacings, as slices
   std::array<GlTexture, 2> octants;     ///< RGBA8, samples; absent where the scene has none
-  std::vector<GlTexture> lights;        ///< R16, samples, as slices
+  std::vector<GlTexture> lights;        ///< R16, samples and caps, as slices
   std::vector<LightField> lightFields;  ///< of the same; borrow nothing any more
   SurfaceColors colors;
   glm::ivec3 size{0};

@@ -18,6 +18,6 @@ void main() {
     return;
   }
   outDepth = dot(screen.depthRow.xyz, hit.position - frame.planePoint.xyz);
-  outNormal = vec4(hitNormal(hit, -ray.direction * frame.scale.xyz), 0.0f);
+  outNormal = vec4(surfacePoint(hit, -ray.direction * frame.scale.xyz).normal, 0.0f);
   outPosition = vec4(hit.position, 1.0f);
 }

@@ -2,6 +2,6 @@
 // A head light: N . V.
 #include "march/scene.glsl"
 
-vec3 hitLight(vec3 hit, vec3 normal, vec3 viewer) { return vec3(abs(dot(normal, viewer))); }
+vec3 hitLight(SurfacePoint point, vec3 viewer) { return vec3(abs(dot(point.normal, viewer))); }
 
 #include "march/main.glsl"

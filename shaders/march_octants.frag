@@ -26,10 +26,10 @@ vec4 octantsAt(sampler3D field, vec3 position) {
 
 // The octants are read frame.scale.w voxels above the surface along the normal: 0 is [Singh10]. Next to the surface Eq. 7
 // makes it occlude itself by an amount that depends on where it cuts the voxels, which shows as stripes.
-vec3 hitLight(vec3 hit, vec3 normal, vec3 viewer) {
-  vec3 above = hit + frame.scale.w * normal;
+vec3 hitLight(SurfacePoint point, vec3 viewer) {
+  vec3 above = point.position + frame.scale.w * point.normal;
   vec3 position = clamp(above, vec3(0.0f), vec3(frame.gridSize.xyz - 1));
-  GeometryAddress address = geometryAddress(normal, float(textureSize(geometry0Texture, 0).x));
+  GeometryAddress address = geometryAddress(point.normal, float(textureSize(geometry0Texture, 0).x));
   vec4 geometry0 = texture(geometry0Texture, address.uv);
   vec4 geometry1 = texture(geometry1Texture, address.uv);
   vec4 visibility0 = openBeyondBorder(octantsAt(octants0Texture, position), above - position, -1.0f);

@@ -20,10 +20,10 @@ void main() {
     return;
   }
   vec3 viewer = -ray.direction * frame.scale.xyz;
-  vec3 normal = hitNormal(hit, viewer);
-  vec3 light = hitLight(hit.position, normal, viewer);
+  SurfacePoint point = surfacePoint(hit, viewer);
+  vec3 light = hitLight(point, viewer);
   outColor = vec4(albedoAt(hit.position) * pow(light, vec3(frame.albedo.w)), 1.0f);
-  outNormal = vec4(normal, 0.0f);
+  outNormal = vec4(point.normal, 0.0f);
   outPosition = vec4(hit.position, 1.0f);
   outLight = vec4(light, 1.0f);
 }

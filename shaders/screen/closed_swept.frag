@@ -5,8 +5,7 @@
 #include "screen/swept.glsl"
 
 float estimate(Shaded shaded) {
-  SweptPlace at = sweptPlace();
-  return lightAt(sweptTextures[0], at.centre, at.layer, at.weight);
+  return lightAt(sweptTextures[0], sweptPlace());
 }
 
 #include "screen/main.glsl"

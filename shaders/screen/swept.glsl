@@ -3,15 +3,14 @@
 const int kSweptFields = 4;
 layout(binding = 9) uniform sampler2DArray sweptTextures[kSweptFields];
 
-// The cell of the hit, and where in it.
-struct SweptPlace {
-  vec2 centre;
-  float layer;
-  vec3 weight;
-};
-
-SweptPlace sweptPlace() {
-  vec3 index = clamp(gridIndex(vec3(0.0f)), vec3(0.0f), vec3(frame.gridSize.xyz - 1));
-  vec3 low = min(floor(index), vec3(frame.gridSize.xyz - 2));
-  return SweptPlace((low.xy + 1.0f) / vec2(frame.gridSize.xy), low.z, index - low);
+// Of a hit on the border of the grid: of its cap.
+LightPlace sweptPlace() {
+  const float kBorder = 1e-3f;  // voxels: what positions along a ray are off by
+  vec3 last = vec3(frame.gridSize.xyz - 1);
+  vec3 index = clamp(gridIndex(vec3(0.0f)), vec3(0.0f), last);
+  vec3 away = min(index, last - index);
+  int capAxis = -1;
+  for (int axis = 0; axis < 3; ++axis)
+    if (away[axis] < kBorder) capAxis = axis;
+  return lightPlace(index, capAxis, last + 1.0f);
 }

@@ -20,18 +20,22 @@
 namespace isolume {
 namespace {
 
-Grid<float> toFloat(const SweptLight& swept) {
-  Grid<float> values(swept.values.size(), swept.values.view().spacing, swept.values.view().origin);
+Grid<float> toFloat(const SweptLight& swept, GridView<const float> level) {
+  const Grid<std::uint16_t> samples = bySample(swept.values, level);
+  Grid<float> values(level.size, level.spacing, level.origin);
   for (std::size_t i = 0; i < values.count(); ++i)
-    values.data()[i] = swept.valueOf(static_cast<float>(swept.values.data()[i]));
+    values.data()[i] = swept.valueOf(static_cast<float>(samples.data()[i]));
   return values;
 }
 
 /// Where nothing was swept the mean is stored as 0, which stands for (-1, -1, -1).
-void addBent(const std::array<Grid<std::uint16_t>, 3>& bent, std::vector<std::pair<std::string, Grid<float>>>& to) {
+void addBent(const std::array<SurfaceField, 3>& fields, GridView<const float> level,
+             std::vector<std::pair<std::string, Grid<float>>>& to) {
+  const std::array<Grid<std::uint16_t>, 3> bent{bySample(fields[0], level), bySample(fields[1], level),
+                                                bySample(fields[2], level)};
   const std::size_t first = to.size();
   for (const char* name : {"bent_x", "bent_y", "bent_z", "cone"})
-    to.emplace_back(name, Grid<float>(bent[0].size(), bent[0].view().spacing, bent[0].view().origin));
+    to.emplace_back(name, Grid<float>(level.size, level.spacing, level.origin));
   const auto layers = static_cast<std::size_t>(bent[0].size().z), layer = bent[0].count() / layers;
   parallelFor(layers, [&](std::size_t z) {
     for (std::size_t i = z * layer; i < (z + 1) * layer; ++i) {
@@ -50,14 +54,16 @@ void sweepOthers(const OtherFields& wanted, const SweptScene& scene, FieldsFile&
   if (!wanted.any()) return;
   const int ordinates = OrdinateOptions().ordinates;
   log.begin("light", fmt::format("sweeping {} ordinates over {}", ordinates, gridText(scene)));
-  const GridView<const float> distance = scene.swept.distance.view();
-  const SurfaceRays rays(scene.surface.level.view(), distance, 1);
+  const GridView<const float> level = scene.surface.level.view(), distance = scene.swept.distance.view();
+  const SurfaceRays rays(level, distance, 1);
   if (wanted.openness)
     file.others.emplace_back("openness",
-                             toFloat({rays.surface().spread(opennessOf(blockedShares(rays, ordinates))), 1}));
+                             toFloat({rays.surface().spread(opennessOf(blockedShares(rays, ordinates))), 1}, level));
   if (wanted.bent)
-    addBent(sweepBentNormals(rays, ordinates, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes), file.others);
-  if (wanted.thickness) file.others.emplace_back("thickness", toFloat(sweepThickness(rays, distance, ordinates)));
+    addBent(sweepBentNormals(rays, ordinates, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes), level,
+            file.others);
+  if (wanted.thickness)
+    file.others.emplace_back("thickness", toFloat(sweepThickness(rays, distance, ordinates), level));
   std::size_t bytes = 0;
   for (const auto& [name, values] : file.others) bytes += values.count() * sizeof(float);
   log.end(bytes);

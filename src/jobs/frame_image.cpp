@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "sweep/parallel.h"
-#include "sweep/trilinear.h"
 
 namespace isolume {
 namespace {
@@ -24,14 +23,13 @@ void addVector(Image& image, const std::string& layer, const std::vector<glm::ve
   for (int i = 0; i < 3; ++i) image.channels.push_back(channelOf(layer + kAxes[i], pixels, i));
 }
 
-/// Among the samples around a hit, all of which hold a value.
-float fieldAt(const Grid<std::uint16_t>& field, glm::vec3 index) {
-  return static_cast<float>(trilinear(field.view(), glm::dvec3(index)));
+float fieldAt(const SurfaceField& field, glm::vec3 index) {
+  return static_cast<float>(surfaceValueAt(field, glm::dvec3(index)));
 }
 
 bool isHit(const Frame& frame, std::size_t i) { return std::isfinite(frame.depth[i]); }
 
-void addBent(Image& image, const Frame& frame, const std::array<Grid<std::uint16_t>, 3>& bent) {
+void addBent(Image& image, const Frame& frame, const std::array<SurfaceField, 3>& bent) {
   const std::size_t first = image.channels.size(), count = frame.depth.size();
   for (const char* name : {"bent.X", "bent.Y", "bent.Z", "cone.Y"})
     image.channels.push_back({name, std::vector<float>(count, 0)});

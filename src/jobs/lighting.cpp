@@ -165,8 +165,9 @@ class LightingSweep {
     const glm::dvec3 world = sunDirection(sun, cameraAxes(camera_)), direction = axesFromWorld() * world;
     open_ += color;
     if (sun.shadow == SunShadow::turned) {
-      const LightField use{.values = {}, .direction = world, .radiusDegrees = kPointDegrees};
-      addField({sweepRotatedShadow(distance_, direction), 1}, color, use);
+      const LightField use{.values = {}, .everywhere = true, .direction = world, .radiusDegrees = kPointDegrees};
+      const Grid<std::uint16_t> shadow = sweepRotatedShadow(distance_, direction);
+      addField({surfaceField(shadow.view()), 1}, color, use);
     }
     if (sun.shadow == SunShadow::hard) swept_.suns.push_back({world, color});
     const bool soft = sun.shadow == SunShadow::soft;
@@ -222,11 +223,13 @@ void checkCounts(const LightingRequest& request, const EnvironmentMap* map, glm:
 
 }  // namespace
 
+static std::size_t fieldBytes(const SurfaceField& field) { return field.padded().count() * sizeof(std::uint16_t); }
+
 std::size_t SweptLighting::bytes() const {
   std::size_t bytes = 0;
-  for (const SweptLight& field : fields) bytes += field.values.count() * sizeof(std::uint16_t);
-  if (thickness) bytes += thickness->values.count() * sizeof(std::uint16_t);
-  if (bent) bytes += 3 * bent->front().count() * sizeof(std::uint16_t);
+  for (const SweptLight& field : fields) bytes += fieldBytes(field.values);
+  if (thickness) bytes += fieldBytes(thickness->values);
+  if (bent) bytes += 3 * fieldBytes(bent->front());
   return bytes;
 }
 

@@ -25,7 +25,7 @@ struct SweptLighting {
   std::vector<HardSun> suns;
   glm::vec3 head{0};  ///< colour of the head light
   std::optional<SweptLight> thickness;
-  std::optional<std::array<Grid<std::uint16_t>, 3>> bent;
+  std::optional<std::array<SurfaceField, 3>> bent;
   std::size_t bytes() const;
 };
 

@@ -87,7 +87,7 @@ SceneFields sceneFields(const SweptScene& scene, const SweptLighting& lighting,
     if (!scene.swept.visibility.packed[i].empty()) fields.octants[i] = scene.swept.visibility.packed[i].view();
   for (std::size_t i = 0; i < lighting.fields.size(); ++i) {
     fields.lights.push_back(lighting.uses[i]);
-    fields.lights.back().values = lighting.fields[i].values.view();
+    fields.lights.back().values = lighting.fields[i].values.padded();
   }
   if (coloring) fields.color = coloring->field();
   return fields;
@@ -108,8 +108,9 @@ SweptLighting combinedLight(const LightingRequest& request, OctantVisibility& vi
   const OctantIntensities intensities = combinedIntensities(request);
   const float sum = std::accumulate(intensities.begin(), intensities.end(), 0.0f);
   SweptLighting lighting;
-  lighting.fields.push_back({std::move(visibility.combined), sum / (kOctantCount / 2)});
-  lighting.uses.push_back({.values = {}, .full = lighting.fields[0].full});
+  lighting.fields.push_back({surfaceField(visibility.combined.view()), sum / (kOctantCount / 2)});
+  visibility.combined = {};
+  lighting.uses.push_back({.values = {}, .full = lighting.fields[0].full, .everywhere = true});
   lighting.colors.push_back(glm::vec3(1));
   return lighting;
 }

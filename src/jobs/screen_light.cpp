@@ -27,7 +27,7 @@ SweptLighting sweepForScreen(const OrdinateOptions& ordinates, const SweptScene&
   const SurfaceRays rays(scene.surface.level.view(), scene.swept.distance.view(), ordinates.refinement);
   SweptLighting swept;
   swept.fields.push_back({rays.surface().spread(opennessOf(blockedShares(rays, ordinates.ordinates))), 1});
-  for (Grid<std::uint16_t>& component : sweepBentNormals(rays, ordinates.ordinates, glm::dmat3(1)))
+  for (SurfaceField& component : sweepBentNormals(rays, ordinates.ordinates, glm::dmat3(1)))
     swept.fields.push_back({std::move(component), 1});
   swept.uses.resize(swept.fields.size());
   return swept;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "surface_feet.h"
+#include "surface_field.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/ordinates/foot_rows.cpp"
@@ -136,15 +137,15 @@ void footRowOnTarget(const FootFields& fields, int y, int z, const std::vector<s
 }
 
 void interpolatedRowOnTarget(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
-                             const BitGrid& given, GridView<const std::uint16_t> values,
-                             std::vector<std::int32_t>& interpolated) {
+                             const BitGrid& given, const SurfaceField& field, std::vector<std::int32_t>& interpolated) {
   const FloatTag d;
   const IntTag di;
   const FootReader reader(fields, y, z);
   const glm::ivec3 size = fields.level.size;
   interpolated.resize(x.size());
   // Rows and layers relative to those of the sample: no offset is too long for a lane.
-  const auto* valueRow = reinterpret_cast<const std::int32_t*>(&values(0, y, z));
+  const GridView<const std::uint16_t> values = field.padded();
+  const auto* valueRow = reinterpret_cast<const std::int32_t*>(&values(1, y + 1, z + 1));
   const auto* givenRow = reinterpret_cast<const std::int32_t*>(given.row(y, z));
   const int valueStrides[2] = {static_cast<int>(values.strideY() * 2), static_cast<int>(values.strideZ() * 2)};
   const int givenStride = given.words() * kWordBits / 8, givenStrides[2] = {givenStride, givenStride * size.y};
@@ -205,8 +206,8 @@ void footRow(const FootFields& fields, int y, int z, const std::vector<std::int3
 }
 
 void interpolatedRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x, const BitGrid& given,
-                     GridView<const std::uint16_t> values, std::vector<std::int32_t>& interpolated) {
-  HWY_DYNAMIC_DISPATCH(interpolatedRowOnTarget)(fields, y, z, x, given, values, interpolated);
+                     const SurfaceField& field, std::vector<std::int32_t>& interpolated) {
+  HWY_DYNAMIC_DISPATCH(interpolatedRowOnTarget)(fields, y, z, x, given, field, interpolated);
 }
 
 }  // namespace isolume

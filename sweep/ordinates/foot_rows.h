@@ -9,6 +9,7 @@
 
 namespace isolume {
 
+class SurfaceField;
 struct SurfaceFoot;
 
 /// What the samples of a row know of the surface. Borrowed.
@@ -21,10 +22,10 @@ struct FootFields {
 void footRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
              std::vector<SurfaceFoot>& feet);
 
-/// For each sample (x[i], y, z) the values of the corners of its foot's cell that are `given`, by trilinear weights;
-/// each counts at least a little. Where no corner is given: kNoValue. At least two samples along each axis.
+/// For each sample (x[i], y, z) what the field holds at the corners of its foot's cell that are `given`, by trilinear
+/// weights; each counts at least a little. Where no corner is given: kNoValue. At least two samples along each axis.
 inline constexpr std::int32_t kNoValue = -1;
 void interpolatedRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x, const BitGrid& given,
-                     GridView<const std::uint16_t> values, std::vector<std::int32_t>& interpolated);
+                     const SurfaceField& field, std::vector<std::int32_t>& interpolated);
 
 }  // namespace isolume

@@ -88,7 +88,7 @@ BentNormal bentNormal(glm::vec3 mean) {
   return {mean / length, (1 - std::clamp(2 * length - 1, 0.0F, 1.0F)) * std::numbers::pi_v<float> / 2};
 }
 
-std::array<Grid<std::uint16_t>, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes) {
+std::array<SurfaceField, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes) {
   std::vector<Ordinate> sky;
   for (const glm::dvec3& direction : ordinateDirections(ordinates)) {
     const glm::vec3 world(worldFromAxes * direction);
@@ -96,7 +96,7 @@ std::array<Grid<std::uint16_t>, 3> sweepBentNormals(const SurfaceRays& rays, int
   }
   const std::vector<float> sums = rays.sum(sky, 4, SurfaceRays::Count::visible);
   const std::size_t count = rays.count();
-  std::array<Grid<std::uint16_t>, 3> bent;
+  std::array<SurfaceField, 3> bent;
   std::vector<std::uint16_t> values(count);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     forEachFoot(count, [&](std::size_t i) {

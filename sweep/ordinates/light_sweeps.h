@@ -10,13 +10,12 @@
 #include <vector>
 
 #include "surface_rays.h"
-#include "sweep/grid.h"
 
 namespace isolume {
 
 /// 2 bytes per voxel.
 struct SweptLight {
-  Grid<std::uint16_t> values;
+  SurfaceField values;
   float full = 1;  ///< what 65535 stands for
   /// What a sample, or a value between samples, stands for.
   float valueOf(float sample) const { return sample / 65535 * full; }
@@ -48,7 +47,7 @@ std::vector<glm::dvec3> capDirections(glm::dvec3 axis, double radiusDegrees, int
 /// hemisphere about N ([Klehm11] Eq. 2 and 3): its direction is the bent normal, and its length, 1/2 to 1, the cone:
 /// C = (1 - max(0, 2 |N_b| - 1)) pi / 2 (Sec. 3.2). 0: all closed. World axes; 0 and 65535 stand for -1 and 1. 6 bytes
 /// per voxel.
-std::array<Grid<std::uint16_t>, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes);
+std::array<SurfaceField, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes);
 inline float bentComponent(float value) { return value / 32767.5F - 1; }
 
 struct BentNormal {

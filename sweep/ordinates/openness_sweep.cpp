@@ -24,7 +24,7 @@ std::vector<std::uint16_t> opennessOf(const std::vector<float>& blockedShares) {
   return openness;
 }
 
-Grid<std::uint16_t> sweepOpenness(GridView<const float> level, GridView<const float> distance,
+SurfaceField sweepOpenness(GridView<const float> level, GridView<const float> distance,
                                   const OrdinateOptions& options) {
   assert(options.refinement >= 1 && options.refinement <= kMostRefinement);
   const SurfaceRays rays(level, distance, options.refinement);

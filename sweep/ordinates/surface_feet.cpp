@@ -10,30 +10,11 @@
 #include "sweep/parallel.h"
 
 namespace isolume {
-namespace {
-
-// 0 for 0.
-glm::dvec3 unit(glm::dvec3 v) {
-  const double length = glm::length(v);
-  return length > 0 ? v / length : glm::dvec3(0);
-}
-
-// Out of the box at a sample on its border; along a diagonal at its edges and corners. Not of unit length; 0 where the
-// box is one sample thin, with two faces that cancel out.
-glm::dvec3 capNormal(glm::ivec3 at, glm::ivec3 size) {
-  glm::dvec3 normal{0};
-  for (int axis = 0; axis < 3; ++axis) {
-    if (at[axis] == 0) normal[axis] -= 1;
-    if (at[axis] == size[axis] - 1) normal[axis] += 1;
-  }
-  return normal;
-}
-
-}  // namespace
 
 SurfaceFeet::SurfaceFeet(GridView<const float> level, GridView<const float> distance)
     : fields_{level, distance},
       solid_(insideSamples(level)),
+      caps_(solid_),
       hasFoot_(level.size),
       filled_(level.size),
       firstFoot_(voxelCount({1, level.size.y, level.size.z})) {
@@ -46,20 +27,18 @@ SurfaceFeet::SurfaceFeet(GridView<const float> level, GridView<const float> dist
     first = count;
     count += own;
   }
-  feet_.resize(count);
+  feet_.resize(count + caps_.count());
   forEachLayer([&](int z) {
-    std::vector<std::int32_t> outside;
+    std::vector<std::int32_t> x;
     std::vector<SurfaceFoot> feet;
     for (int y = 0; y < level.size.y; ++y) {
-      outside.clear();
-      forEachFoot(y, z, [&](std::size_t, glm::ivec3 at) {
-        if (!isSolid(at)) outside.push_back(at.x);
-      });
-      footRow(fields_, y, z, outside, feet);
-      auto next = feet.begin();
-      forEachFoot(y, z, [&](std::size_t foot, glm::ivec3 at) { feet_[foot] = isSolid(at) ? capFoot(at) : *next++; });
+      x.clear();
+      forEachFoot(y, z, [&](std::size_t, glm::ivec3 at) { x.push_back(at.x); });
+      footRow(fields_, y, z, x, feet);
+      std::copy(feet.begin(), feet.end(), feet_.begin() + firstFoot_[rowIndex(y, z)]);
     }
   });
+  caps_.write(feet_.data() + count);
 }
 
 template <class Visit>
@@ -70,14 +49,13 @@ void SurfaceFeet::forEachLayer(const Visit& visit) const {
 // Marks the samples of a row, and counts its feet.
 void SurfaceFeet::markRow(int y, int z) {
   const auto words = static_cast<std::size_t>(solid_.words());
-  BitRow near(words), caps(words), crossed(words);
+  BitRow near(words), crossed(words);
   cornerRow(solid_, y, z, near);
-  capRow(solid_, y, z, caps);
   crossedRow(solid_, y, z, crossed);
   int feet = 0;
   for (std::size_t w = 0; w < words; ++w) {
     const std::uint64_t solid = solid_.row(y, z)[w];
-    hasFoot_.row(y, z)[w] = (crossed[w] & ~solid) | caps[w];
+    hasFoot_.row(y, z)[w] = crossed[w] & ~solid;
     filled_.row(y, z)[w] = near[w] & ~hasFoot_.row(y, z)[w];
     feet += std::popcount(hasFoot_.row(y, z)[w]);
   }
@@ -100,10 +78,6 @@ void SurfaceFeet::forEachFoot(int y, int z, const Visit& visit) const {
   forEachBit(hasFoot_.row(y, z), hasFoot_.words(), [&](int x) { visit(foot++, glm::ivec3(x, y, z)); });
 }
 
-SurfaceFoot SurfaceFeet::capFoot(glm::ivec3 at) const {
-  return {glm::vec3(at), glm::vec3(unit(capNormal(at, solid_.size())))};
-}
-
 std::uint32_t SurfaceFeet::footNumber(glm::ivec3 at) const {
   const std::uint64_t* row = hasFoot_.row(at.y, at.z);
   std::uint32_t number = firstFoot_[rowIndex(at.y, at.z)];
@@ -112,12 +86,11 @@ std::uint32_t SurfaceFeet::footNumber(glm::ivec3 at) const {
   return number + static_cast<std::uint32_t>(std::popcount(row[at.x / kWordBits] & before));
 }
 
-// Of the samples outside among the 26 around that have a foot, the one closest to a place on the surface.
+// Of the samples among the 26 around that have a foot, the one closest to a place on the surface.
 std::uint32_t SurfaceFeet::nearestFoot(glm::ivec3 at, glm::vec3 place) const {
   double least = std::numeric_limits<double>::infinity();
   glm::ivec3 best = at;
   forEachAround(at, hasFoot_, [&](glm::ivec3 sample) {
-    if (isSolid(sample)) return;
     const glm::dvec3 between = (glm::dvec3(sample) - glm::dvec3(place)) * fields_.level.spacing;
     const double distance = glm::dot(between, between);
     if (distance < least) {
@@ -186,16 +159,16 @@ BitGrid SurfaceFeet::given(const std::vector<std::uint8_t>& known) const {
 
 // At a rim or a thin wall the gradient may lead into a cell without any: the mean of those of the 26 around that are
 // given, or 0.
-std::uint16_t SurfaceFeet::meanAround(glm::ivec3 at, const BitGrid& given, GridView<const std::uint16_t> values) const {
+std::uint16_t SurfaceFeet::meanAround(glm::ivec3 at, const BitGrid& given, const SurfaceField& field) const {
   unsigned sum = 0, count = 0;
   forEachAround(at, given, [&](glm::ivec3 sample) {
-    sum += values(sample.x, sample.y, sample.z);
+    sum += field.wall(sample);
     ++count;
   });
   return count == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>((sum + count / 2) / count);
 }
 
-void SurfaceFeet::fillLayer(int z, const BitGrid& given, GridView<const std::uint16_t> values,
+void SurfaceFeet::fillLayer(int z, const BitGrid& given, const SurfaceField& field,
                             std::vector<std::uint16_t>& filled) const {
   const glm::ivec3 size = solid_.size();
   const bool cells = size.x > 1 && size.y > 1 && size.z > 1;
@@ -204,38 +177,33 @@ void SurfaceFeet::fillLayer(int z, const BitGrid& given, GridView<const std::uin
     x.clear();
     forEachBit(filled_.row(y, z), filled_.words(), [&](int each) { x.push_back(each); });
     row.assign(x.size(), kNoValue);
-    if (cells) interpolatedRow(fields_, y, z, x, given, values, row);
+    if (cells) interpolatedRow(fields_, y, z, x, given, field, row);
     for (std::size_t i = 0; i < x.size(); ++i)
-      filled.push_back(row[i] == kNoValue ? meanAround({x[i], y, z}, given, values)
+      filled.push_back(row[i] == kNoValue ? meanAround({x[i], y, z}, given, field)
                                           : static_cast<std::uint16_t>(row[i]));
   }
 }
 
-void SurfaceFeet::spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values,
-                         const std::vector<std::uint8_t>* known) const {
+SurfaceField SurfaceFeet::spread(const std::vector<std::uint16_t>& values,
+                                 const std::vector<std::uint8_t>* known) const {
+  const GridView<const float> level = fields_.level;
+  SurfaceField field(level.size, level.spacing, level.origin);
   forEachLayer([&](int z) {
-    std::fill_n(&values(0, 0, z), values.strideZ(), std::uint16_t{0});
     for (int y = 0; y < solid_.size().y; ++y)
-      forEachFoot(y, z, [&](std::size_t foot, glm::ivec3 at) { values(at.x, at.y, at.z) = openness[foot]; });
+      forEachFoot(y, z, [&](std::size_t foot, glm::ivec3 at) { field.wall(at) = values[foot]; });
   });
   std::optional<BitGrid> some;
   if (known) some = given(*known);
   // Apart from the values, which other threads read.
   std::vector<std::vector<std::uint16_t>> filled(static_cast<std::size_t>(solid_.size().z));
-  forEachLayer([&](int z) { fillLayer(z, some ? *some : hasFoot_, values, filled[static_cast<std::size_t>(z)]); });
+  forEachLayer([&](int z) { fillLayer(z, some ? *some : hasFoot_, field, filled[static_cast<std::size_t>(z)]); });
   forEachLayer([&](int z) {
     auto next = filled[static_cast<std::size_t>(z)].begin();
     for (int y = 0; y < solid_.size().y; ++y)
-      forEachBit(filled_.row(y, z), filled_.words(), [&](int x) { values(x, y, z) = *next++; });
+      forEachBit(filled_.row(y, z), filled_.words(), [&](int x) { field.wall({x, y, z}) = *next++; });
   });
-}
-
-Grid<std::uint16_t> SurfaceFeet::spread(const std::vector<std::uint16_t>& openness,
-                                        const std::vector<std::uint8_t>* known) const {
-  const GridView<const float> level = fields_.level;
-  Grid<std::uint16_t> values(level.size, level.spacing, level.origin);
-  spread(openness, values.view(), known);
-  return values;
+  caps_.spread(values.data() + (feet_.size() - caps_.count()), field);
+  return field;
 }
 
 }  // namespace isolume

@@ -1,12 +1,12 @@
 // The points of the surface at which ordinates are summed: one for each outside sample with a solid one beside it along
-// an axis, and one for each solid sample on the border.
+// an axis, and those of the flat caps (cap_feet.h).
 //
 // A sample is next to the surface if any of the 26 around it lies on the other side: these are the corners of all cells
 // that the surface crosses, all that an interpolation at a point of the surface reads. Each stands for the point of the
-// surface closest to it, its foot: sample - D N with the distance D and the level's gradient as normal N. A solid
-// sample on the border of the grid is its own foot, on the flat cap there. The other samples next to the surface have
-// no sum of their own: they take what those with a sum around their foot hold, by trilinear weights. Each of them has
-// one among the 26 around, since from a solid corner of its cell to an outside one the sign changes along some edge.
+// surface closest to it, its foot: sample - D N with the distance D and the level's gradient as normal N. The other
+// samples next to the surface have no sum of their own: they take what those with a sum around their foot hold, by
+// trilinear weights. Each of them has one among the 26 around, since from a solid corner of its cell to an outside one
+// the sign changes along some edge.
 // That is a third to a quarter of the sums of one per sample, and costs .003 of RMSE where walls meet and nothing
 // elsewhere (docs/occlusion-study.md).
 #pragma once
@@ -15,14 +15,16 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "cap_feet.h"
 #include "foot_rows.h"
+#include "surface_field.h"
 #include "sweep/bit_grid.h"
 
 namespace isolume {
 
 struct SurfaceFoot {
   glm::vec3 position{0};  ///< on the surface, index space
-  glm::vec3 normal{0};    ///< unit, world units along the grid's axes, out of the solid; 0 at a flat spot or thin cap
+  glm::vec3 normal{0};    ///< unit, world units along the grid's axes, out of the solid; 0 at a flat spot
 };
 
 /// A sample next to the surface and the foot that it stands for.
@@ -37,7 +39,7 @@ class SurfaceFeet {
   /// Memory: 3/8 byte per voxel, 24 bytes per foot.
   SurfaceFeet(GridView<const float> level, GridView<const float> distance);
 
-  /// In the order of the samples: x fastest, then y, then z.
+  /// Of the isosurface, in the order of the samples: x fastest, then y, then z; then of the caps.
   const std::vector<SurfaceFoot>& feet() const { return feet_; }
   /// The samples with level > 0.
   const BitGrid& solid() const { return solid_; }
@@ -50,24 +52,17 @@ class SurfaceFeet {
   /// that have one; the others keep theirs.
   void fillUnknown(std::vector<std::uint16_t>& values, const std::vector<std::uint8_t>& known) const;
 
-  /// values[sample] = openness[foot] at samples that have one; interpolated at the others next to the surface; 0
-  /// elsewhere. Threaded.
-  void spread(const std::vector<std::uint16_t>& openness, GridView<std::uint16_t> values,
-              const std::vector<std::uint8_t>* known = nullptr) const;
-  /// The same in a grid of its own: 2 bytes per voxel. With `known`, samples without a foot take nothing from those
-  /// with known[foot] = 0 (on the far side of a thin wall, say): from what of the 26 around is known, or 0.
-  Grid<std::uint16_t> spread(const std::vector<std::uint16_t>& openness,
-                             const std::vector<std::uint8_t>* known = nullptr) const;
+  /// The values of all feet as a field. With `known`, samples without a foot take nothing from those with known[foot] =
+  /// 0 (on the far side of a thin wall, say): from what of the 26 around is known, or 0. 2 bytes per voxel. Threaded.
+  SurfaceField spread(const std::vector<std::uint16_t>& values, const std::vector<std::uint8_t>* known = nullptr) const;
 
  private:
   bool isSolid(glm::ivec3 at) const { return solid_.test(at.x, at.y, at.z); }
-  SurfaceFoot capFoot(glm::ivec3 at) const;
   std::uint32_t footNumber(glm::ivec3 at) const;
   std::uint32_t nearestFoot(glm::ivec3 at, glm::vec3 place) const;
   BitGrid given(const std::vector<std::uint8_t>& known) const;
-  std::uint16_t meanAround(glm::ivec3 at, const BitGrid& given, GridView<const std::uint16_t> values) const;
-  void fillLayer(int z, const BitGrid& given, GridView<const std::uint16_t> values,
-                 std::vector<std::uint16_t>& filled) const;
+  std::uint16_t meanAround(glm::ivec3 at, const BitGrid& given, const SurfaceField& field) const;
+  void fillLayer(int z, const BitGrid& given, const SurfaceField& field, std::vector<std::uint16_t>& filled) const;
   void markRow(int y, int z);
   template <class Visit>
   void forEachLayer(const Visit& visit) const;
@@ -80,8 +75,9 @@ class SurfaceFeet {
   }
 
   FootFields fields_;
-  BitGrid solid_;                         // samples inside
-  BitGrid hasFoot_;                       // outside, with a solid sample beside it along an axis; or on a cap
+  BitGrid solid_;  // samples inside
+  CapFeet caps_;
+  BitGrid hasFoot_;                       // outside, with a solid sample beside it along an axis
   BitGrid filled_;                        // next to the surface, without a foot
   std::vector<std::uint32_t> firstFoot_;  // of each row
   std::vector<SurfaceFoot> feet_;

@@ -33,8 +33,8 @@ struct Bench {
     fields.worldFromGrid[3][3] = 1;
     fields.level = level.view();
     for (std::size_t i = 0; i < 2; ++i) fields.octants[i] = swept.visibility.packed[i].view();
-    const Grid<std::uint16_t> openness = sweepOpenness(level.view(), swept.distance.view(), {.ordinates = 64});
-    fields.lights = {{openness.view()}};
+    const SurfaceField openness = sweepOpenness(level.view(), swept.distance.view(), {.ordinates = 64});
+    fields.lights = {{openness.padded()}};
     renderer.upload(fields);
     camera = frameCorners(boxCorners(fields.worldFromGrid, glm::dvec3(20), glm::dvec3(kSize - 21)), 1, {});
   }

@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "raymarch/renderer.h"
+#include "sweep/ordinates/surface_field.h"
 
 namespace isolume::test {
 
@@ -12,7 +13,7 @@ namespace isolume::test {
 struct GlScene {
   Grid<float> level, distance;
   std::array<Grid<glm::u8vec4>, 2> octants;
-  Grid<std::uint16_t> openness;  ///< the one light field, if there is any
+  SurfaceField openness;  ///< the one light field, if there is any
   glm::dmat4 worldFromGrid{1};
   SceneFields fields() const;
 };

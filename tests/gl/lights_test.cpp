@@ -21,13 +21,13 @@ constexpr float kFull = 65535;
 /// Eight texels of 16 bits, weighed in float.
 constexpr double kTolerance = 5e-5;
 
-Grid<std::uint16_t> fieldOf(const std::function<double(glm::dvec3)>& value) {
+SurfaceField fieldOf(const std::function<double(glm::dvec3)>& value) {
   Grid<std::uint16_t> field{glm::ivec3(kSize)};
   for (int z = 0; z < kSize; ++z)
     for (int y = 0; y < kSize; ++y)
       for (int x = 0; x < kSize; ++x)
         field.view()(x, y, z) = static_cast<std::uint16_t>(std::lround(kFull * value({x, y, z})));
-  return field;
+  return surfaceField(std::as_const(field).view());
 }
 
 // A ball, drawn by light fields.
@@ -47,6 +47,10 @@ class Lights : public ::testing::Test {
     settings.shading = Shading::lights;
     settings.lightColors = std::move(colors);
     return settings;
+  }
+  /// The number of a field at a hit.
+  double valueAt(const SurfaceField& field, glm::dvec3 position, glm::dvec3 normal) const {
+    return wallValueAt(field, scene_.level.view(), position, normal) / kFull;
   }
   /// expected(position, normal) at every hit; true if there were many.
   static bool expectLight(const Frame& frame, const std::function<glm::dvec3(glm::dvec3, glm::dvec3)>& expected) {
@@ -68,27 +72,30 @@ class Lights : public ::testing::Test {
 
 TEST_F(Lights, FieldsAddUpWithTheirColours) {
   // Three fields, each linear along another axis and with its own full value: their sum, each times its colour.
-  std::vector<Grid<std::uint16_t>> grids;
+  std::vector<SurfaceField> grids;
   for (int axis = 0; axis < 3; ++axis) grids.push_back(fieldOf([axis](glm::dvec3 p) { return p[axis] / kSize; }));
-  const std::vector<LightField> fields{{grids[0].view()}, {grids[1].view(), 0.5F}, {grids[2].view(), 2}};
+  const std::vector<LightField> fields{{grids[0].padded()}, {grids[1].padded(), 0.5F}, {grids[2].padded(), 2}};
   const std::vector<glm::vec3> colors{{1, 0.5, 0}, {0, 0.25, 0.75}, {0.125, 0.25, 0.5}};
-  EXPECT_TRUE(expectLight(draw(fields, settingsWith(colors)), [&](glm::dvec3 p, glm::dvec3) {
+  const auto sumOf = [&](const std::vector<glm::vec3>& each, glm::dvec3 p, glm::dvec3 normal) {
     glm::dvec3 sum(0);
     for (std::size_t i = 0; i < fields.size(); ++i)
-      sum += static_cast<double>(fields[i].full) * p[static_cast<int>(i)] / kSize * glm::dvec3(colors[i]);
+      sum += static_cast<double>(fields[i].full) * valueAt(grids[i], p, normal) * glm::dvec3(each[i]);
     return sum;
-  }));
+  };
+  EXPECT_TRUE(expectLight(draw(fields, settingsWith(colors)),
+                          [&](glm::dvec3 p, glm::dvec3 normal) { return sumOf(colors, p, normal); }));
   // Without colours they are white.
+  const std::vector<glm::vec3> white(3, glm::vec3(1));
   EXPECT_TRUE(expectLight(draw(fields, settingsWith({})),
-                          [](glm::dvec3 p, glm::dvec3) { return glm::dvec3((p.x + 0.5 * p.y + 2 * p.z) / kSize); }));
+                          [&](glm::dvec3 p, glm::dvec3 normal) { return sumOf(white, p, normal); }));
 }
 
 TEST_F(Lights, AsManyAsAProgramTakes) {
   // Eight fields of an eighth each add up to one; nine are an error, one line that tells both numbers.
-  const Grid<std::uint16_t> eighth = fieldOf([](glm::dvec3) { return 1; });
-  const std::vector<LightField> eight(8, LightField{eighth.view(), 0.125F});
+  const SurfaceField eighth = fieldOf([](glm::dvec3) { return 1; });
+  const std::vector<LightField> eight(8, LightField{eighth.padded(), 0.125F});
   EXPECT_TRUE(expectLight(draw(eight, settingsWith({})), [](glm::dvec3, glm::dvec3) { return glm::dvec3(1); }));
-  EXPECT_THROW(upload(std::vector<LightField>(9, LightField{eighth.view()})), GpuError);
+  EXPECT_THROW(upload(std::vector<LightField>(9, LightField{eighth.padded()})), GpuError);
 }
 
 // Mean of max(N . w, 0) over a disc above the horizon.
@@ -100,14 +107,15 @@ TEST_F(Lights, ADiscIsMultipliedWithItsMeanCosine) {
   // Seen in full, a disc gives the mean cosine of its directions, 0 where all of it is below the horizon; times the
   // share that is seen. The direction is the world's, whatever the grid's frame, and of any length.
   constexpr double kRadius = 10, kShare = 0.75;
-  const Grid<std::uint16_t> share = fieldOf([](glm::dvec3) { return kShare; });
+  const SurfaceField share = fieldOf([](glm::dvec3) { return kShare; });
   const glm::dvec3 towards(0.9, 0.3, 0.2);
   for (const bool turned : {false, true}) {
     if (turned) {
       scene_.worldFromGrid = glm::rotate(glm::dmat4(1), 0.9, glm::normalize(glm::dvec3(1, -2, 0.5)));
       camera_ = frameScene(scene_);
     }
-    const Frame frame = draw({{share.view(), 1, 7.0 * towards, kRadius}}, settingsWith({{1, 0.5, 0}}));
+    const Frame frame = draw({{.values = share.padded(), .direction = 7.0 * towards, .radiusDegrees = kRadius}},
+                             settingsWith({{1, 0.5, 0}}));
     const double sine = std::sin(glm::radians(kRadius));
     int whole = 0, dark = 0;
     for (std::size_t i = 0; i < frame.depth.size(); ++i) {
@@ -134,11 +142,11 @@ TEST_F(Lights, ADiscIsMultipliedWithItsMeanCosine) {
 
 TEST_F(Lights, HeadLightComesFromTheEye) {
   // |N . V| times its colour, to the eye itself in perspective, on top of the fields; alone too.
-  const Grid<std::uint16_t> half = fieldOf([](glm::dvec3) { return 0.5; });
+  const SurfaceField half = fieldOf([](glm::dvec3) { return 0.5; });
   for (const bool withField : {true, false}) {
     RenderSettings settings = settingsWith({});
     settings.headLight = {0.5, 0.25, 1};
-    const std::vector<LightField> fields(withField ? 1 : 0, LightField{half.view()});
+    const std::vector<LightField> fields(withField ? 1 : 0, LightField{half.padded()});
     EXPECT_TRUE(expectLight(draw(fields, settings), [&](glm::dvec3 p, glm::dvec3 normal) {
       const double cosine = std::abs(glm::dot(normal, glm::normalize(camera_.eye - p)));
       return glm::dvec3(withField ? 0.5 : 0.0) + cosine * glm::dvec3(settings.headLight);
@@ -149,10 +157,11 @@ TEST_F(Lights, HeadLightComesFromTheEye) {
 TEST_F(Lights, ColoursChangeWithoutAnUpload) {
   // Another colour of a light needs no upload: the next picture has it, and the first colours give the first picture
   // again, bit for bit.
-  const Grid<std::uint16_t> field = fieldOf([](glm::dvec3 p) { return p.x / kSize; });
-  const Frame first = draw({{field.view()}}, settingsWith({{1, 1, 1}}));
+  const SurfaceField field = fieldOf([](glm::dvec3 p) { return p.x / kSize; });
+  const Frame first = draw({{field.padded()}}, settingsWith({{1, 1, 1}}));
   const Frame red = renderer_.render(camera_, settingsWith({{1, 0, 0.5}}));
-  EXPECT_TRUE(expectLight(red, [](glm::dvec3 p, glm::dvec3) { return p.x / kSize * glm::dvec3(1, 0, 0.5); }));
+  EXPECT_TRUE(expectLight(
+      red, [&](glm::dvec3 p, glm::dvec3 normal) { return valueAt(field, p, normal) * glm::dvec3(1, 0, 0.5); }));
   const Frame again = renderer_.render(camera_, settingsWith({{1, 1, 1}}));
   ASSERT_EQ(again.color.size(), first.color.size());
   EXPECT_EQ(std::memcmp(again.color.data(), first.color.data(), first.color.size() * sizeof(glm::vec4)), 0);
@@ -160,8 +169,8 @@ TEST_F(Lights, ColoursChangeWithoutAnUpload) {
 
 TEST_F(Lights, OneColourForEachField) {
   // Fewer or more colours than fields are an error that tells both numbers; the renderer draws on after it.
-  const Grid<std::uint16_t> field = fieldOf([](glm::dvec3) { return 1; });
-  upload({{field.view()}, {field.view()}});
+  const SurfaceField field = fieldOf([](glm::dvec3) { return 1; });
+  upload({{field.padded()}, {field.padded()}});
   for (const std::size_t count : {1, 3}) {
     try {
       renderer_.render(camera_, settingsWith(std::vector<glm::vec3>(count, glm::vec3(1))));

@@ -102,11 +102,16 @@ TEST(OctantLight, CombinedIsDrawnAsAField) {
   // The octants as one number are drawn as any light field: their mean, interpolated at the hit.
   GlScene scene = makeSphere();
   const SweptFields octants = sweepOcclusion(scene.fields().level, {.visibility = VisibilityStorage::float32});
-  scene.openness =
-      sweepOcclusion(scene.fields().level, {.visibility = VisibilityStorage::combined}).visibility.combined;
+  const SweptFields combined = sweepOcclusion(scene.fields().level, {.visibility = VisibilityStorage::combined});
+  scene.openness = surfaceField(combined.visibility.combined.view());
   RenderSettings settings = layerSettings(60, 48);
   settings.shading = Shading::lights;
-  const Frame frame = renderOnce(scene, frameScene(scene), settings);
+  SceneFields fields = scene.fields();
+  fields.lights[0].everywhere = true;
+  const auto context = makeContext("osmesa");
+  Renderer renderer(*context);
+  renderer.upload(fields);
+  const Frame frame = renderer.render(frameScene(scene), settings);
   int hits = 0;
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
     if (!std::isfinite(frame.depth[i])) continue;

@@ -163,29 +163,34 @@ TEST(Shading, DistanceNormalsFollowTheDistance) {
   EXPECT_GT(hits, 1000);
 }
 
-TEST(Shading, OpennessIsInterpolatedLinearly) {
-  // Openness that grows linearly along each axis is shown as it is at the hit, on the surface and on caps, in the last
-  // cells too: eight texels weighed in float, of 16 bits.
+TEST(Shading, OpennessIsReadAsItIsDefined) {
+  // Openness that grows along each axis is shown as surface_field.h reads it, on the isosurface and on caps, in the
+  // last cells too: eight texels weighed in float, of 16 bits. Caps show it as it is.
   GlScene scene = makeScene({40, 30, 20}, glm::dvec3(1, 1.3, 1.7), [](glm::dvec3 p) {
     return glm::length(p - glm::dvec3(30, 20, 17)) - 15;  // cut by three faces
   });
   const auto valueAt = [](glm::dvec3 index) { return 1000 + 700 * index.x + 500 * index.y + 900 * index.z; };
+  Grid<std::uint16_t> samples(scene.level.size());
   for (int z = 0; z < 20; ++z)
     for (int y = 0; y < 30; ++y)
-      for (int x = 0; x < 40; ++x) scene.openness.view()(x, y, z) = static_cast<std::uint16_t>(valueAt({x, y, z}));
+      for (int x = 0; x < 40; ++x) samples.view()(x, y, z) = static_cast<std::uint16_t>(valueAt({x, y, z}));
+  scene.openness = surfaceField(std::as_const(samples).view());
   RenderSettings settings = layerSettings();
   settings.shading = Shading::lights;
-  int hits = 0;
+  int walls = 0, caps = 0;
   for (const Camera& camera : bothSides(scene)) {
     const Frame frame = renderOnce(scene, camera, settings);
     for (std::size_t i = 0; i < frame.depth.size(); ++i) {
       if (!std::isfinite(frame.depth[i])) continue;
-      ++hits;
-      const glm::dvec3 index = glm::dvec3(frame.position[i]) / glm::dvec3(1, 1.3, 1.7);
-      ASSERT_NEAR(frame.light[i].x, valueAt(index) / 65535, 2e-5) << i;
+      const glm::dvec3 normal(frame.normal[i]), index(frame.index[i]);
+      const bool cap = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)}) == 1;
+      ++(cap ? caps : walls);
+      const double want = cap ? valueAt(index) : wallValueAt(scene.openness, scene.level.view(), index, normal);
+      ASSERT_NEAR(frame.light[i].x, want / 65535, 2e-5) << i;
     }
   }
-  EXPECT_GT(hits, 1000);
+  EXPECT_GT(walls, 1000);
+  EXPECT_GT(caps, 300);
 }
 
 TEST(Shading, SweptOpennessOfABallIsOne) {

@@ -73,7 +73,7 @@ TEST(DiscLight, IsDarkBelowTheHorizon) {
   // A disc that lies below a plane lights none of its feet, and what lies half below it does as much as is above.
   const SweptScene scene = plane({0, 0, 1}, glm::dvec3(1), 1);
   const SurfaceLight below = sweepDisc(scene.rays, {1, 0, -1}, 40, 200),
-                  across = sweepDisc(scene.rays, {1, 0, 0}, 40, 200);
+                     across = sweepDisc(scene.rays, {1, 0, 0}, 40, 200);
   // Half a disc on the horizon: the mean of max(cos, 0) over it, (r - sin r cos r) / (2 pi (1 - cos r)).
   const double r = glm::radians(40.0), half = (r - std::sin(r) * std::cos(r)) / (2 * kPi * (1 - std::cos(r)));
   int feet = 0;
@@ -184,10 +184,10 @@ TEST(SweptSky, AUniformSkyIsTheOpenness) {
   }
 }
 
-glm::dvec3 bentAt(const std::array<Grid<std::uint16_t>, 3>& bent, glm::dvec3 position) {
+glm::dvec3 bentAt(const std::array<SurfaceField, 3>& bent, glm::dvec3 position) {
   glm::dvec3 found;
   for (int axis = 0; axis < 3; ++axis)
-    found[axis] = bentComponent(static_cast<float>(trilinear(bent[static_cast<std::size_t>(axis)].view(), position)));
+    found[axis] = bentComponent(static_cast<float>(surfaceValueAt(bent[static_cast<std::size_t>(axis)], position)));
   return found;
 }
 

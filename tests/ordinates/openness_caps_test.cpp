@@ -34,7 +34,7 @@ TEST(OpennessSweep, HasValuesOnCapsAndNextToTheSurfaceAlone) {
   // Where the border cuts a half full grid: more than 0 next to the surface and on the caps, and 0 at all
   // other samples.
   forEachHalfFull([](const Grid<float>& level, const OrdinateOptions& options) {
-    const Grid<std::uint16_t> values = opennessOf(level.view(), options);
+    const Grid<std::uint16_t> values = bySample(opennessOf(level.view(), options), level.view());
     test::forEachWithin(level.size(), 0, [&](glm::ivec3 at) {
       const std::uint16_t value = values.view()(at.x, at.y, at.z);
       EXPECT_EQ(value != 0, isCap(at) || isNextToItsSurface(at)) << at.x << " " << at.y << " " << at.z;
@@ -45,7 +45,7 @@ TEST(OpennessSweep, HasValuesOnCapsAndNextToTheSurfaceAlone) {
 TEST(OpennessSweep, CapsAreOpen) {
   // Caps, their edges and corners are open to .01.
   forEachHalfFull([](const Grid<float>& level, const OrdinateOptions& options) {
-    const Grid<std::uint16_t> values = opennessOf(level.view(), options);
+    const Grid<std::uint16_t> values = bySample(opennessOf(level.view(), options), level.view());
     double least = 1;
     test::forEachWithin(level.size(), 0, [&](glm::ivec3 at) {
       if (isCap(at)) least = std::min(least, values.view()(at.x, at.y, at.z) / test::kOpen);
@@ -61,7 +61,8 @@ TEST(OpennessSweep, TakesDegenerateGrids) {
     const test::RandomGrid grid = test::randomGrid(i);
     SCOPED_TRACE(grid.name);
     for (const int refinement : {1, 2}) {
-      const Grid<std::uint16_t> values = opennessOf(grid.level.view(), {.ordinates = 8, .refinement = refinement});
+      const Grid<std::uint16_t> values =
+          bySample(opennessOf(grid.level.view(), {.ordinates = 8, .refinement = refinement}), grid.level.view());
       ASSERT_EQ(values.size(), grid.level.size());
       bool anyInside = false;
       int above = 0;
@@ -81,7 +82,7 @@ TEST(OpennessSweep, ThinGridsThatAreAllInsideAreOpen) {
     for (const float value : {-1.0F, 1.0F})
       for (const int refinement : {1, 2}) {
         const Grid<float> level = test::sampleLevel(size, glm::dvec3(1), [&](glm::dvec3) { return value; });
-        const Grid<std::uint16_t> values = opennessOf(level.view(), {.refinement = refinement});
+        const Grid<std::uint16_t> values = bySample(opennessOf(level.view(), {.refinement = refinement}), level.view());
         for (std::size_t i = 0; i < values.count(); ++i)
           ASSERT_EQ(values.data()[i], value > 0 ? 65535 : 0) << size.x << " " << size.y << " " << size.z;
       }
@@ -103,10 +104,10 @@ TEST(OpennessSweep, ThreadsAndVectorsDoNotChangeABit) {
   for (const int refinement : {1, 2}) {
     const OrdinateOptions options{.ordinates = 200, .refinement = refinement};
     setThreadCount(1);
-    const Grid<std::uint16_t> want = sweepOpenness(level.view(), distance.view(), options);
+    const SurfaceField want = sweepOpenness(level.view(), distance.view(), options);
     const auto expectSame = [&] {
-      const Grid<std::uint16_t> got = sweepOpenness(level.view(), distance.view(), options);
-      EXPECT_EQ(std::memcmp(got.data(), want.data(), want.count() * sizeof(std::uint16_t)), 0);
+      const SurfaceField got = sweepOpenness(level.view(), distance.view(), options);
+      EXPECT_EQ(std::memcmp(got.padded().data, want.padded().data, want.padded().count() * sizeof(std::uint16_t)), 0);
     };
     setThreadCount(4);
     expectSame();

@@ -20,9 +20,10 @@ std::vector<double> tracedAt(const SurfaceTracer& tracer, const std::vector<Shad
 }
 
 std::vector<double> sweptAt(GridView<const float> level, const std::vector<ShadedPoint>& points, int ordinates) {
-  const Grid<std::uint16_t> values = test::opennessOf(level, {.ordinates = ordinates, .refinement = 2});
+  const SurfaceField values = test::opennessOf(level, {.ordinates = ordinates, .refinement = 2});
   std::vector<double> swept;
-  for (const ShadedPoint& each : points) swept.push_back(test::opennessAt(values, each.hit.position));
+  for (const ShadedPoint& each : points)
+    swept.push_back(wallValueAt(values, level, each.hit.position, each.normal) / test::kOpen);
   return swept;
 }
 

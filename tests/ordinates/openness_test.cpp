@@ -19,11 +19,11 @@ struct Extremes {
 };
 // Of all samples next to the surface that do not lie on the border.
 Extremes extremesOf(GridView<const float> level, const OrdinateOptions& options) {
-  const Grid<std::uint16_t> values = opennessOf(level, options);
+  const SurfaceField values = opennessOf(level, options);
   Extremes found;
   test::forEachWithin(level.size, 1, [&](glm::ivec3 at) {
     if (!test::isNextToSurface(level, at)) return;
-    const double value = values.view()(at.x, at.y, at.z) / kOpen;
+    const double value = values.wall(at) / kOpen;
     found.least = std::min(found.least, value);
     found.largest = std::max(found.largest, value);
   });
@@ -76,7 +76,7 @@ TEST(OpennessSweep, FloorBeforeAWall) {
     for (const OrdinateOptions options : {OrdinateOptions{.refinement = 2},
                                           {.ordinates = 2048, .refinement = 2},
                                           {.ordinates = 2048, .refinement = 1}}) {
-      const Grid<std::uint16_t> values = opennessOf(level.view(), options);
+      const SurfaceField values = opennessOf(level.view(), options);
       for (const double distance : {1.0, 2.0, 5.0, 10.0}) {
         const double height = kSide - kFloor;
         const double want =
@@ -93,7 +93,7 @@ TEST(OpennessSweep, FloorBeforeAWall) {
 TEST(OpennessSweep, FootOfAWall) {
   // In the corner between floor and wall the gradient points halfway between both normals: with that normal the open
   // quarter of space gives cos(45 degrees), not the floor's 1/2. To .02 (measured: .0149).
-  const Grid<std::uint16_t> values = opennessOf(floorAndWall().view());
+  const SurfaceField values = opennessOf(floorAndWall().view());
   EXPECT_NEAR(opennessAt(values, {kWall, kY, kFloor}), std::sqrt(0.5), 0.02);
 }
 

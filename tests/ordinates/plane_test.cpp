@@ -39,12 +39,11 @@ struct Deviation {
 };
 Deviation deviationOf(glm::dvec3 normal, glm::dvec3 spacing, int refinement) {
   const Grid<float> level = planeLevel(normal, spacing);
-  const Grid<std::uint16_t> values =
-      test::opennessOf(level.view(), {.ordinates = kOrdinates, .refinement = refinement});
+  const SurfaceField values = test::opennessOf(level.view(), {.ordinates = kOrdinates, .refinement = refinement});
   Deviation found;
   test::forEachWithin(level.size(), marginOf(spacing), [&](glm::ivec3 at) {
     if (!test::isNextToSurface(level.view(), at)) return;
-    const double deviation = 1 - values.view()(at.x, at.y, at.z) / test::kOpen;
+    const double deviation = 1 - values.wall(at) / test::kOpen;
     found.largest = std::max(found.largest, deviation);
   });
   return found;

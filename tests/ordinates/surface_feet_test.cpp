@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <glm/trigonometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <vector>
 
 #include "support/random_grids.h"
@@ -14,24 +15,83 @@
 namespace isolume {
 namespace {
 
-enum class Kind { away, outside, filled, cap };
+enum class Kind { away, outside, filled };
 
-// What a sample is by definition: solid on the border; or with a sample of the other side among the 26 around it, and
-// if it is outside, one of the six along an axis.
-Kind kindOf(GridView<const float> level, glm::ivec3 at) {
-  const auto solid = [&](glm::ivec3 p) { return level(p.x, p.y, p.z) > 0; };
-  bool border = false, mixed = false, beside = false;
-  for (int axis = 0; axis < 3; ++axis) border = border || at[axis] == 0 || at[axis] == level.size[axis] - 1;
+bool isSolid(GridView<const float> level, glm::ivec3 at) { return level(at.x, at.y, at.z) > 0; }
+bool exists(GridView<const float> level, glm::ivec3 at) {
+  return glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, level.size));
+}
+
+// visit(sample) for those of the 26 around.
+template <class Visit>
+void forEachAround(GridView<const float> level, glm::ivec3 at, const Visit& visit) {
   for (int i = 0; i < 27; ++i) {
-    const glm::ivec3 step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), p = at + step;
-    const bool exists =
-        p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x < level.size.x && p.y < level.size.y && p.z < level.size.z;
-    const bool differs = exists && solid(p) != solid(at);
-    mixed = mixed || differs;
-    beside = beside || (differs && std::abs(step.x) + std::abs(step.y) + std::abs(step.z) == 1);
+    const glm::ivec3 p = at + glm::ivec3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (i != 13 && exists(level, p)) visit(p);
   }
-  if (solid(at) && border) return Kind::cap;
-  return !mixed ? Kind::away : solid(at) || !beside ? Kind::filled : Kind::outside;
+}
+
+template <class Visit>
+void forEachSample(glm::ivec3 size, const Visit& visit) {
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x) visit(glm::ivec3(x, y, z));
+}
+
+// What a sample is by definition: with a sample of the other side among the 26 around it, and if it is outside, one of
+// the six along an axis.
+Kind kindOf(GridView<const float> level, glm::ivec3 at) {
+  bool mixed = false, beside = false;
+  forEachAround(level, at, [&](glm::ivec3 p) {
+    const glm::ivec3 step = glm::abs(p - at);
+    const bool differs = isSolid(level, p) != isSolid(level, at);
+    mixed = mixed || differs;
+    beside = beside || (differs && step.x + step.y + step.z == 1);
+  });
+  return !mixed ? Kind::away : isSolid(level, at) || !beside ? Kind::filled : Kind::outside;
+}
+
+void expectWallsByDefinition(GridView<const float> level, const std::vector<SurfaceFoot>& feet,
+                             const std::vector<std::uint16_t>& numbers, const SurfaceField& field, std::size_t& next) {
+  const double reach = glm::length(level.spacing) * (1 + 1e-6);
+  forEachSample(level.size, [&](glm::ivec3 at) {
+    SCOPED_TRACE(testing::Message() << at.x << " " << at.y << " " << at.z);
+    const Kind kind = kindOf(level, at);
+    ASSERT_EQ(field.wall(at) != 0, kind != Kind::away);
+    if (kind != Kind::outside) return;
+    ASSERT_LT(next, feet.size());
+    ASSERT_EQ(field.wall(at), numbers[next]);
+    const SurfaceFoot& foot = feet[next++];
+    ASSERT_LE(glm::length((glm::dvec3(foot.position) - glm::dvec3(at)) * level.spacing), reach);
+    const float length = glm::length(foot.normal);
+    ASSERT_TRUE(length == 0 || std::abs(length - 1) < 1e-6F) << length;
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_GE(foot.position[axis], 0);
+      ASSERT_LE(foot.position[axis], static_cast<float>(level.size[axis] - 1));
+    }
+  });
+}
+
+void expectCapsByDefinition(GridView<const float> level, const std::vector<SurfaceFoot>& feet,
+                            const std::vector<std::uint16_t>& numbers, const SurfaceField& field, std::size_t& next) {
+  for (int f = 0; f < kFaceCount; ++f) {
+    const GridFace face = faceOf(f);
+    const int border = face.side == 0 ? 0 : level.size[face.axis] - 1;
+    glm::vec3 normal(0);
+    normal[face.axis] = face.side == 0 ? -1.0F : 1.0F;
+    forEachSample(level.size, [&](glm::ivec3 at) {
+      if (at[face.axis] != border) return;
+      SCOPED_TRACE(testing::Message() << at.x << " " << at.y << " " << at.z << " face " << f);
+      bool beside = false;
+      forEachAround(level, at, [&](glm::ivec3 p) { beside = beside || (p[face.axis] == border && isSolid(level, p)); });
+      ASSERT_EQ(field.cap(face, at) != 0, beside || isSolid(level, at));
+      if (!isSolid(level, at)) return;
+      ASSERT_LT(next, feet.size());
+      ASSERT_EQ(field.cap(face, at), numbers[next]);
+      ASSERT_EQ(feet[next].position, glm::vec3(at));
+      ASSERT_EQ(feet[next++].normal, normal);
+    });
+  }
 }
 
 // Checks all there is against the definition.
@@ -39,41 +99,19 @@ void expectFeetByDefinition(GridView<const float> level) {
   const Grid<float> distance = closestDistance(level);
   const SurfaceFeet surface(level, distance.view());
   const std::vector<SurfaceFoot>& feet = surface.feet();
-  const double reach = glm::length(level.spacing) * (1 + 1e-6);
   std::vector<std::uint16_t> numbers(feet.size());
   for (std::size_t i = 0; i < feet.size(); ++i) numbers[i] = static_cast<std::uint16_t>(i % 60000 + 1);
-  Grid<std::uint16_t> values(level.size, level.spacing);
-  surface.spread(numbers, values.view());
+  const SurfaceField field = surface.spread(numbers);
   std::size_t next = 0;
-  for (int z = 0; z < level.size.z; ++z)
-    for (int y = 0; y < level.size.y; ++y)
-      for (int x = 0; x < level.size.x; ++x) {
-        const glm::ivec3 at(x, y, z);
-        SCOPED_TRACE(testing::Message() << x << " " << y << " " << z);
-        const Kind kind = kindOf(level, at);
-        const std::uint16_t value = values.view()(x, y, z);
-        ASSERT_EQ(value != 0, kind != Kind::away);
-        if (kind != Kind::outside && kind != Kind::cap) continue;
-        ASSERT_LT(next, feet.size());
-        ASSERT_EQ(value, numbers[next]);
-        const SurfaceFoot& foot = feet[next++];
-        ASSERT_LE(glm::length((glm::dvec3(foot.position) - glm::dvec3(at)) * level.spacing), reach);
-        const float length = glm::length(foot.normal);
-        ASSERT_TRUE(length == 0 || std::abs(length - 1) < 1e-6F) << length;
-        for (int axis = 0; axis < 3; ++axis) {
-          ASSERT_GE(foot.position[axis], 0);
-          ASSERT_LE(foot.position[axis], static_cast<float>(level.size[axis] - 1));
-        }
-        if (kind == Kind::cap) {
-          ASSERT_EQ(foot.position, glm::vec3(at));
-        }
-      }
+  expectWallsByDefinition(level, feet, numbers, field, next);
+  expectCapsByDefinition(level, feet, numbers, field, next);
   EXPECT_EQ(next, feet.size());
 }
 
 TEST(SurfaceFeet, AreThoseOfTheDefinition) {
-  // Feet stand for the outside samples beside solid ones and for the caps, in the order of the samples and within a
-  // cell's diagonal of them; each sample next to the surface takes a value from some of them, all others hold 0.
+  // Feet stand for the outside samples beside solid ones, in the order of the samples and within a cell's diagonal of
+  // them, and after them for the solid samples of each face; each sample next to the isosurface takes a value from the
+  // first, each of a face that is solid or beside such a one from the others, and the rest hold 0.
   for (int i = 0; i < 400; ++i) {
     const test::RandomGrid grid = test::randomGrid(i);
     SCOPED_TRACE(grid.name);
@@ -124,16 +162,13 @@ TEST(SurfaceFeet, SamplesWithoutAFootTakeThoseThatHaveOne) {
   const Grid<float> level = test::ballLevel(41, 14, {20.3, 19.8, 20.1});
   const Grid<float> distance = closestDistance(level.view());
   const SurfaceFeet surface(level.view(), distance.view());
-  Grid<std::uint16_t> values(level.size());
-  surface.spread(std::vector<std::uint16_t>(surface.feet().size(), 12345), values.view());
+  const SurfaceField field = surface.spread(std::vector<std::uint16_t>(surface.feet().size(), 12345));
   int filled = 0;
-  for (int z = 0; z < 41; ++z)
-    for (int y = 0; y < 41; ++y)
-      for (int x = 0; x < 41; ++x) {
-        const Kind kind = kindOf(level.view(), {x, y, z});
-        ASSERT_EQ(values.view()(x, y, z), kind == Kind::away ? 0 : 12345) << x << " " << y << " " << z;
-        filled += kind == Kind::filled ? 1 : 0;
-      }
+  forEachSample(level.size(), [&](glm::ivec3 at) {
+    const Kind kind = kindOf(level.view(), at);
+    ASSERT_EQ(field.wall(at), kind == Kind::away ? 0 : 12345) << at.x << " " << at.y << " " << at.z;
+    filled += kind == Kind::filled ? 1 : 0;
+  });
   EXPECT_GT(filled, 4000);
 }
 

@@ -13,14 +13,14 @@ namespace isolume::test {
 
 inline constexpr double kOpen = 65535;
 
-inline Grid<std::uint16_t> opennessOf(GridView<const float> level, const OrdinateOptions& options = {}) {
+inline SurfaceField opennessOf(GridView<const float> level, const OrdinateOptions& options = {}) {
   const Grid<float> distance = closestDistance(level, {.extent = DistanceExtent::band});
   return sweepOpenness(level, distance.view(), options);
 }
 
-/// By trilinear interpolation at a point of index space within the grid, 1 = open. At least two samples per axis.
-inline double opennessAt(const Grid<std::uint16_t>& values, glm::dvec3 position) {
-  return trilinear(values.view(), position) / kOpen;
+/// At a point of index space within the grid, 1 = open. At least two samples per axis.
+inline double opennessAt(const SurfaceField& values, glm::dvec3 position) {
+  return surfaceValueAt(values, position) / kOpen;
 }
 
 /// visit(sample) for each sample at least `margin` from the border.

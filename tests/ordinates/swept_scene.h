@@ -37,7 +37,7 @@ struct SweptScene {
 /// At a point of index space.
 inline double lightAt(const SweptLight& light, glm::dvec3 position) {
   constexpr double kFull = 65535;
-  return trilinear(light.values.view(), position) * static_cast<double>(light.full) / kFull;
+  return surfaceValueAt(light.values, position) * static_cast<double>(light.full) / kFull;
 }
 
 }  // namespace isolume::test

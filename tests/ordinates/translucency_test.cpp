@@ -137,9 +137,9 @@ TEST(Translucency, ThreadsDoNotChangeABit) {
   setThreadCount(0);
   EXPECT_EQ(one.light.full, two.light.full);
   EXPECT_EQ(one.thickness.full, two.thickness.full);
-  for (std::size_t i = 0; i < one.light.values.count(); ++i) {
-    ASSERT_EQ(one.light.values.data()[i], two.light.values.data()[i]);
-    ASSERT_EQ(one.thickness.values.data()[i], two.thickness.values.data()[i]);
+  for (std::size_t i = 0; i < one.light.values.padded().count(); ++i) {
+    ASSERT_EQ(one.light.values.padded().data[i], two.light.values.padded().data[i]);
+    ASSERT_EQ(one.thickness.values.padded().data[i], two.thickness.values.padded().data[i]);
   }
 }
 

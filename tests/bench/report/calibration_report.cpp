@@ -68,14 +68,15 @@ Measured measureOctants(const JudgedScene& scene, double offset, bool openPlane,
 }
 
 Measured measureOrdinates(const JudgedScene& scene, const OrdinateOptions& options, int runs) {
-  Grid<std::uint16_t> swept;
+  SurfaceField swept;
   const std::vector<double> seconds = timedRuns(runs, [&] {
     swept = sweepOpenness(std::as_const(scene.level).view(), std::as_const(scene.distance).view(), options);
   });
   constexpr double kOpen = 65535;
   Measured measured{*std::min_element(seconds.begin(), seconds.end()), {}};
   for (const JudgedPoint& point : scene.points)
-    measured.openness.push_back(test::trilinear(std::as_const(swept).view(), point.position) / kOpen);
+    measured.openness.push_back(wallValueAt(swept, std::as_const(scene.level).view(), point.position, point.normal) /
+                                kOpen);
   return measured;
 }
 

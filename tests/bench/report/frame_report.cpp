@@ -53,7 +53,7 @@ void runOnce(const Surface& surface, const Camera& camera, glm::ivec2 size, Time
   const bool octants = timed.setting.method == OcclusionMethod::octants;
   const GridView<const float> level = surface.level.view();
   SweptFields swept;
-  Grid<std::uint16_t> openness;
+  SurfaceField openness;
   timed.sweep.push_back(secondsOf([&] {
     SweepOptions sweep;
     if (!octants) {
@@ -75,7 +75,7 @@ void runOnce(const Surface& surface, const Camera& camera, glm::ivec2 size, Time
     if (octants)
       for (std::size_t i = 0; i < fields.octants.size(); ++i) fields.octants[i] = swept.visibility.packed[i].view();
     else
-      fields.lights = {{std::as_const(openness).view()}};
+      fields.lights = {{std::as_const(openness).padded()}};
     context = makeContext();
     renderer.emplace(*context).upload(fields);
     renderer->prepare(settings);

@@ -91,7 +91,7 @@ class Judge {
         renderer_(*context_) {
     SceneFields fields = surfaceFields();
     const SweptLighting lighting = sweepForScreen({}, swept);
-    for (const SweptLight& each : lighting.fields) fields.lights.push_back({.values = each.values.view()});
+    for (const SweptLight& each : lighting.fields) fields.lights.push_back({.values = each.values.padded()});
     renderer_.upload(fields);
     // Where the rays of the pixels hit, and nothing more: shadow takes one ray.
     IntegrandSettings shadow;
@@ -142,7 +142,7 @@ class Judge {
     const OcclusionSetting occlusion = chooseOcclusion(request);
     const bool octants = byOctants(occlusion.method);
     const GridView<const float> level = swept_.surface.level.view(), distance = swept_.swept.distance.view();
-    Grid<std::uint16_t> openness;
+    SurfaceField openness;
     OctantVisibility visibility;
     const double sweep = median(timedRuns(options_.runs, [&] {
       if (octants)
@@ -154,7 +154,7 @@ class Judge {
     if (octants)
       for (std::size_t i = 0; i < fields.octants.size(); ++i) fields.octants[i] = visibility.packed[i].view();
     else
-      fields.lights = {{std::as_const(openness).view()}};
+      fields.lights = {{std::as_const(openness).padded()}};
     Renderer renderer(*context_);
     renderer.upload(fields);
     const RenderSettings settings{.size = size_,
