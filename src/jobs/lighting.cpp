@@ -42,7 +42,7 @@ int discOrdinates(double radiusDegrees) {
 class LightingSweep {
  public:
   LightingSweep(const LightingRequest& request, const OrdinateOptions& ordinates, const SweptScene& scene,
-                const Camera& camera)
+                const Camera& camera, SurfaceRays::Orders orders)
       : request_(request),
         count_(ordinates.ordinates),
         level_(scene.surface.level.view()),
@@ -51,7 +51,7 @@ class LightingSweep {
         exposure_(static_cast<float>(std::exp2(request.exposure))),
         opacity_(request.opacity.value_or(1)),
         // Carried rays need a lattice of the samples.
-        rays_(level_, distance_, opacity_ < 1 ? 1 : ordinates.refinement),
+        rays_(level_, distance_, opacity_ < 1 ? 1 : ordinates.refinement, orders),
         worldFromAxes_(makeGridFrame(scene.surface.worldFromGrid).worldFromAxes) {}
 
   void addLight(const LightRequest& light) {
@@ -221,6 +221,14 @@ void checkCounts(const LightingRequest& request, const EnvironmentMap* map, glm:
                     shader::kMostLightFields, fields));
 }
 
+/// Nothing is kept where a single sweep answers it all.
+SurfaceRays::Orders ordersFor(const LightingRequest& request, bool mapped) {
+  const std::size_t lights = request.lights.size() + (mapped ? 1 : 0);
+  const bool single = lights <= 1 && request.bounces.value_or(0) == 0 && request.opacity.value_or(1) == 1 &&
+                      !request.thickness && !request.bent;
+  return single ? SurfaceRays::Orders::remade : SurfaceRays::Orders::kept;
+}
+
 }  // namespace
 
 static std::size_t fieldBytes(const SurfaceField& field) { return field.padded().count() * sizeof(std::uint16_t); }
@@ -236,7 +244,7 @@ std::size_t SweptLighting::bytes() const {
 SweptLighting sweepLighting(const LightingRequest& request, const OrdinateOptions& ordinates, const EnvironmentMap* map,
                             const SweptScene& scene, const Camera& camera, glm::vec3 albedo) {
   checkCounts(request, map, albedo);
-  LightingSweep sweep(request, ordinates, scene, camera);
+  LightingSweep sweep(request, ordinates, scene, camera, ordersFor(request, map != nullptr));
   if (request.lights.empty() && !map) sweep.addWhiteSky(glm::vec3(std::exp2(static_cast<float>(request.exposure))));
   for (const LightRequest& light : request.lights) sweep.addLight(light);
   if (map) sweep.addMap(*map);

@@ -154,6 +154,7 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
     kept[static_cast<std::size_t>(j)] =
         size * static_cast<std::int32_t>(slotOf(layer + towards * j) * rays.layerSize() + rays.placeOf(0));
   const auto stride = hn::Set(di, rays.stride());
+  const Within withinRows(1, lattice.rows), withinColumns(1, lattice.length);
   const float perVoxel = 1 / std::min({lattice.cellBit, lattice.cellRow, lattice.cellLayer});
   const auto add = [&](std::int32_t* to, FloatVec value, float scale) {
     hn::StoreU(hn::Add(hn::LoadU(di, to), hn::NearestInt(hn::Mul(value, hn::Set(d, scale)))), di, to);
@@ -165,13 +166,11 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
     const auto wanted = kLength ? point.inRange : facing;
     if (hn::AllFalse(d, wanted)) continue;
     const RayPlace at = placeOnRay<kLength>(point, direction, step, cosine, facing);
-    const auto within = [d](FloatVec place, int count) {
-      return hn::Min(hn::Max(place, hn::Set(d, -1.0F)), hn::Set(d, static_cast<float>(count)));
-    };
-    const auto row = within(hn::Add(at.row, chosen(step.onRow, at.skips)), lattice.rows);
-    const auto column = within(hn::Add(at.column, chosen(step.onBit, at.skips)), lattice.length);
-    const auto place = hn::Add(hn::Mul(hn::ConvertTo(di, row), stride), hn::ConvertTo(di, column));
-    const auto bytes = hn::Add(hn::Mul(place, hn::Set(di, size)), chosen(kept, at.skips));
+    const auto row = withinRows(hn::Add(at.row, chosen(step.onRow, at.low)));
+    const auto column = withinColumns(hn::Add(at.column, chosen(step.onBit, at.low)));
+    const auto whole = hn::Set(di, static_cast<std::int32_t>(kToWholeBits));
+    const auto place = hn::Add(hn::Mul(hn::Sub(row, whole), stride), hn::Sub(column, whole));
+    const auto bytes = hn::Add(hn::Mul(place, hn::Set(di, size)), chosen(kept, at.low));
     const auto state = hn::And(hn::GatherOffset(di, rays.words32(), bytes), stateMask);
     std::int32_t* to = tally.sums + i;
     if constexpr (kLength) {

@@ -37,15 +37,16 @@ std::vector<float> sumCarried(const SurfaceRays& rays, const std::vector<Ordinat
                            .scale = static_cast<float>(kLargestSum / (total * (length ? 1 : kLargestCarried))),
                            .lengthScale = static_cast<float>(kLargestSum / (total * longest)),
                            .meanFreePath = static_cast<float>(meanFreePath)};
-  const std::vector<std::int32_t> whole = rays.sumGroups(
-      ordinates, channels, kCarriedGroup,
-      [&](int axis, const LatticeLayers& lattice, const RayGroup& group, std::ptrdiff_t stride, std::int32_t* own) {
-        CarriedTally to = tally;
-        to.stride = stride;
-        to.sums = own;
-        sweepCarriedRays(lattice, group.towards, group.directions, rays.points(axis),
-                         layers[static_cast<std::size_t>(axis)], values, to);
-      });
+  const std::vector<std::int32_t> whole =
+      rays.sumGroups(ordinates, channels, kCarriedGroup,
+                     [&](int axis, const LatticeLayers& lattice, const RayPoints& points, const RayGroup& group,
+                         std::ptrdiff_t stride, std::int32_t* own) {
+                       CarriedTally to = tally;
+                       to.stride = stride;
+                       to.sums = own;
+                       sweepCarriedRays(lattice, group.towards, group.directions, points,
+                                        layers[static_cast<std::size_t>(axis)], values, to);
+                     });
   forEachFoot(sums.size(), [&](std::size_t i) {
     sums[i] = static_cast<float>(whole[i] / static_cast<double>(i < feet ? tally.scale : tally.lengthScale));
   });

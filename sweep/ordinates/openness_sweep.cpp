@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "foot_sums.h"
 #include "sky_ordinates.h"
@@ -27,8 +28,9 @@ std::vector<std::uint16_t> opennessOf(const std::vector<float>& blockedShares) {
 SurfaceField sweepOpenness(GridView<const float> level, GridView<const float> distance,
                                   const OrdinateOptions& options) {
   assert(options.refinement >= 1 && options.refinement <= kMostRefinement);
-  const SurfaceRays rays(level, distance, options.refinement);
-  return rays.surface().spread(opennessOf(blockedShares(rays, options.ordinates)));
+  SurfaceRays rays(level, distance, options.refinement, SurfaceRays::Orders::remade);
+  const std::vector<std::uint16_t> openness = opennessOf(blockedShares(rays, options.ordinates));
+  return std::move(rays).takeSurface().spread(openness);
 }
 
 }  // namespace isolume

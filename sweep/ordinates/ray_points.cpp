@@ -9,8 +9,9 @@
 namespace isolume {
 namespace {
 
-// Facing all rays of one sense, mixed by signs, facing all of the other.
-constexpr std::size_t kKinds = 10, kChunk = 1 << 15;
+// Facing all rays of one sense, mixed, facing all of the other. Mixed ones by their normals: how much of them is along
+// the layers' axis, and where the rest points, by thirds of quarters.
+constexpr std::size_t kTilts = 4, kTurns = 12, kKinds = 2 + kTilts * kTurns, kChunk = 1 << 15;
 
 struct LiftedPosition {
   glm::dvec3 perNormal{0};  // lattice points per component of the normal
@@ -37,8 +38,15 @@ struct LiftedPosition {
 // side.
 std::size_t kindOf(glm::vec3 normal, glm::vec3 cell) {
   const glm::vec3 across = normal * cell;
-  if (std::abs(across.z) > std::abs(across.x) + std::abs(across.y)) return across.z > 0 ? 0 : kKinds - 1;
-  return std::size_t{1} + (normal.z < 0 ? 4 : 0) + (normal.y < 0 ? 2 : 0) + (normal.x < 0 ? 1 : 0);
+  const float x = std::abs(across.x), y = std::abs(across.y), most = x + y;
+  if (!(std::abs(across.z) < most)) return across.z > 0 ? 0 : kKinds - 1;
+  const auto tilt = static_cast<std::size_t>((1 - across.z / most) * (kTilts / 2));
+  // Counter-clockwise from +x, so that neighbours in the order are neighbours on the circle.
+  const bool turned = (across.x < 0) != (across.y < 0);
+  const float along = turned ? x : y;
+  const std::size_t third = along * 3 < most ? 0 : along * 3 < 2 * most ? 1 : 2;
+  const std::size_t quarter = across.y < 0 ? (across.x < 0 ? 2 : 3) : (across.x < 0 ? 1 : 0);
+  return 1 + std::min(tilt, kTilts - 1) * kTurns + quarter * 3 + third;
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ class RayPoints {
   explicit RayPoints(std::size_t count);
 
   /// Points in groups of a layer (that at or below them), and within a layer those that face every ray along the axis
-  /// in one sense, or none, and the others by the signs of their normals: so those that face away from a direction
-  /// stand together. Positions are `lifted`, of liftedFeet(). A counting sort in fixed chunks: the order does not
-  /// depend on the number of threads. Threaded.
+  /// in one sense, or none, and the others by how their normals tilt and turn: so those that face away from a
+  /// direction stand together. Positions are `lifted`, of liftedFeet(). A counting sort in fixed chunks: the order does
+  /// not depend on the number of threads. Threaded.
   void sort(const std::vector<SurfaceFoot>& feet, const std::vector<glm::vec3>& lifted, const SolidLattice& lattice,
             glm::dvec3 spacing, int axis);
 

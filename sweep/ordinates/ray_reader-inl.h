@@ -23,14 +23,42 @@ using FloatVec = hn::Vec<FloatTag>;
 using IntVec = hn::Vec<IntTag>;
 using FloatMask = hn::Mask<FloatTag>;
 
-// value[j] for j in [0, kMostSkipped].
-template <class T>
-HWY_INLINE hn::Vec<hn::ScalableTag<T>> chosen(const PerSkip<T>& value, IntVec j) {
-  const hn::ScalableTag<T> d;
-  if constexpr (hn::MaxLanes(d) > kMostSkipped)
-    return hn::TableLookupLanes(hn::LoadDup128(d, value.data()), hn::IndicesFromVec(d, j));
-  else
-    return hn::GatherIndex(d, value.data(), j);
+// Added to a number below 2^22, rounds it to the nearest whole one, to even halfway, and leaves it in the low bits:
+// 1.5 * 2^23.
+inline constexpr float kToWhole = 12582912;
+inline constexpr std::uint32_t kToWholeBits = 0x4B400000;
+// Places that kToWhole rounded, no further than `reach` beyond [0, count), as whole numbers and kToWholeBits more.
+class Within {
+ public:
+  Within(int reach, int count)
+      : low_(hn::Set(FloatTag(), kToWhole - static_cast<float>(reach))),
+        high_(hn::Set(FloatTag(), kToWhole + static_cast<float>(count + reach - 1))) {}
+  HWY_INLINE IntVec operator()(FloatVec place) const {
+    return hn::BitCast(IntTag(), hn::Min(hn::Max(place, low_), high_));
+  }
+
+ private:
+  FloatVec low_, high_;
+};
+
+// In which lanes a ray is too low in the first layer, still in the second, and in the third.
+struct TooLow {
+  FloatMask in[kMostSkipped];
+};
+
+// value[j] where j layers go by.
+HWY_INLINE IntVec chosen(const PerSkip<std::int32_t>& value, const TooLow& low) {
+  const IntTag di;
+  IntVec at = hn::Set(di, value[0]);
+  for (std::size_t j = 0; j < kMostSkipped; ++j)
+    at = hn::IfThenElse(hn::RebindMask(di, low.in[j]), hn::Set(di, value[j + 1]), at);
+  return at;
+}
+HWY_INLINE FloatVec chosen(const PerSkip<float>& value, const TooLow& low) {
+  const FloatTag d;
+  FloatVec at = hn::Set(d, value[0]);
+  for (std::size_t j = 0; j < kMostSkipped; ++j) at = hn::IfThenElse(low.in[j], hn::Set(d, value[j + 1]), at);
+  return at;
 }
 
 // Points [i, i + lanes) of those that are read at `layer`, the first towards the light. Lanes beyond the end may hold
@@ -70,12 +98,12 @@ struct PointVector {
   }
 };
 
-// Column and row where a ray crosses the layer that a point reads, whole numbers, of any size; and how many layers on
-// it counts, along the digital line.
+// Column and row where a ray crosses the layer that a point reads, rounded by kToWhole, of any size; and how many
+// layers on it counts, along the digital line.
 struct RayPlace {
   FloatVec column, row;
   FloatVec ahead;  // layers from where the ray starts to the one that is read
-  IntVec skips;
+  TooLow low;
 };
 
 // The ray rises: others have any place. With kBothWays those that are not among `rises` look into the solid: from the
@@ -84,26 +112,23 @@ template <bool kBothWays>
 HWY_INLINE RayPlace placeOnRay(const PointVector& point, const RayDirection& to, const RayStep& step, FloatVec cosine,
                                FloatMask rises) {
   const FloatTag d;
-  const IntTag di;
   const auto rise = hn::Mul(cosine, hn::Set(d, to.risePerCosine));
   RayPlace place;
-  place.skips = hn::Zero(di);
   auto height = hn::Mul(rise, point.distance);
   for (int j = 0; j < kMostSkipped; ++j) {
-    const auto low = hn::VecFromMask(di, hn::RebindMask(di, hn::Lt(height, point.toClear)));
-    place.skips = hn::Sub(place.skips, low);
+    place.low.in[j] = hn::Lt(height, point.toClear);
     height = hn::Add(height, rise);
   }
   // What is still missing after these layers, the ray is lifted by along the normal.
   auto missing = hn::Max(hn::Sub(point.toClear, height), hn::Zero(d));
   if constexpr (kBothWays) {
-    place.skips = hn::IfThenElseZero(hn::RebindMask(di, rises), place.skips);
+    for (FloatMask& low : place.low.in) low = hn::And(low, rises);
     missing = hn::IfThenElse(rises, missing, hn::Mul(point.toClear, hn::Set(d, -kLift / (kClearance - kLift))));
   }
   place.ahead = hn::Sub(point.ahead, hn::Mul(missing, point.liftLayer));
   const auto placeOf = [&](FloatVec at, float lag, float slope, FloatVec lift) {
     const auto lifted = hn::Add(hn::Sub(at, hn::Set(d, lag)), hn::Mul(missing, lift));
-    return hn::Round(hn::Add(lifted, hn::Mul(place.ahead, hn::Set(d, slope))));
+    return hn::Add(hn::Add(lifted, hn::Mul(place.ahead, hn::Set(d, slope))), hn::Set(d, kToWhole));
   };
   place.column = placeOf(point.bit, step.lagBit, step.slopeBit, point.liftBit);
   place.row = placeOf(point.row, step.lagRow, step.slopeRow, point.liftRow);

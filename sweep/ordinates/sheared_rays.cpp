@@ -7,6 +7,7 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/ordinates/sheared_rays.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -22,6 +23,8 @@ inline constexpr int kReach = 4, kGuardRows = kReach + kMostSkipped;
 static_assert(kGuardRows <= BitRows::kRowEnd && 2 * kReach <= kMostBeyond);
 /// Of the widest vector.
 inline constexpr int kVectorWords = 8;
+/// Layers from one that is copied to one that is fetched into the cache.
+inline constexpr int kFetchedAhead = 2;
 
 // B of one direction in the last kKeptLayers layers: rows of bits one after the other, between guard rows of zeros.
 // Rows end in zeros (BitRows): what a row takes in from the next or the one before is 0. Layers not yet swept are
@@ -77,41 +80,40 @@ void readLayer(const LatticeLayers& lattice, int towards, const std::vector<RayD
   const IntTag di;
   const std::size_t lanes = hn::Lanes(d);
   const auto one = hn::Set(di, 1);
-  // Places within a layer are whole numbers below 2^24: exact in float.
-  const auto rowBits = hn::Set(d, static_cast<float>(lattice.words * kWordBits));
-  // Of each direction, from a place in this layer to where the ray is in that layer and those after it, in bits.
+  // Of each direction, from a row and column of kToWholeBits more to where the ray is in that layer and those after it,
+  // in bits.
   std::vector<PerSkip<std::int32_t>> on(directions.size());
-  const int rowLength = lattice.words * kWordBits;
+  const auto rowLength = static_cast<std::uint32_t>(lattice.words * kWordBits);
   for (std::size_t k = 0; k < directions.size(); ++k)
     for (int j = 0; j <= kMostSkipped; ++j) {
       const auto at = static_cast<std::size_t>(j);
-      on[k][at] = static_cast<std::int32_t>(slotOf(layer + towards * j) * rays.front().layerWords() * kWordBits) +
-                  (static_cast<std::int32_t>(steps[k].onRow[at]) + kGuardRows) * rowLength +
-                  static_cast<std::int32_t>(steps[k].onBit[at]);
+      const auto slot = static_cast<std::uint32_t>(slotOf(layer + towards * j) * rays.front().layerWords() * kWordBits);
+      const auto row = static_cast<std::uint32_t>(static_cast<int>(steps[k].onRow[at]) + kGuardRows) - kToWholeBits;
+      const auto column = static_cast<std::uint32_t>(static_cast<int>(steps[k].onBit[at])) - kToWholeBits;
+      on[k][at] = static_cast<std::int32_t>(slot + row * rowLength + column);
     }
-  const auto within = [d](FloatVec place, int count) {
-    return hn::Min(hn::Max(place, hn::Set(d, -static_cast<float>(kReach))),
-                   hn::Set(d, static_cast<float>(count + kReach - 1)));
-  };
+  const auto rowBits = hn::Set(di, static_cast<std::int32_t>(rowLength));
   const auto visible = hn::FirstN(d, tally.visible ? lanes : 0);
+  const Within withinRows(kReach, lattice.rows), withinColumns(kReach, lattice.length);
+  const std::size_t count = directions.size();
   for (std::size_t i = begin; i < end; i += lanes) {
     const PointVector point(lattice, points, layer, i, end);
     FloatVec sums[kChannels];
     for (FloatVec& sum : sums) sum = hn::Zero(d);
-    for (std::size_t k = 0; k < directions.size(); ++k) {
-      const auto cosine = point.cosine(directions[k]);
+    for (std::size_t k = 0; k < count; ++k) {
+      const RayDirection& direction = directions[k];
+      const auto cosine = point.cosine(direction);
       const auto facing = hn::And(hn::Gt(cosine, hn::Zero(d)), point.inRange);
       if (hn::AllFalse(d, facing)) continue;
-      const RayPlace at = placeOnRay<false>(point, directions[k], steps[k], cosine, facing);
-      const auto row = within(at.row, lattice.rows), column = within(at.column, lattice.length);
-      const auto first = hn::ConvertTo(di, hn::Add(hn::Mul(row, rowBits), column));
-      const auto place = hn::Add(first, chosen(on[k], at.skips));
+      const RayPlace at = placeOnRay<false>(point, direction, steps[k], cosine, facing);
+      const auto row = withinRows(at.row), column = withinColumns(at.column);
+      const auto place = hn::Add(hn::Add(hn::Mul(row, rowBits), column), chosen(on[k], at.low));
       const auto bits = hn::GatherIndex(di, rays[k].words32(), hn::ShiftRight<5>(place));
       const auto met = hn::TestBit(bits, hn::Shl(one, hn::And(place, hn::Set(di, 31))));
       const auto counts = hn::And(facing, hn::Xor(hn::RebindMask(d, met), visible));
       const auto share = hn::IfThenElseZero(counts, kCosine ? cosine : hn::Set(d, 1.0F));
       for (std::size_t c = 0; c < kChannels; ++c)
-        sums[c] = hn::Add(sums[c], hn::Mul(share, hn::Set(d, directions[k].value[c])));
+        sums[c] = hn::Add(sums[c], hn::Mul(share, hn::Set(d, direction.value[c])));
     }
     // Lanes beyond the end hold 0.
     for (int c = 0; c < kChannels; ++c) {
@@ -137,8 +139,9 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
   };
   const auto mask = zeros();
   for (std::size_t r = 0; r < static_cast<std::size_t>(lattice.rows); ++r)
-    for (int x = 0; x < lattice.length; ++x)
-      mask[r * words + static_cast<std::size_t>(x / kWordBits)] |= std::uint64_t{1} << (x % kWordBits);
+    for (int x = 0; x < lattice.length; x += kWordBits)
+      mask[r * words + static_cast<std::size_t>(x / kWordBits)] =
+          ~std::uint64_t{0} >> (kWordBits - std::min(kWordBits, lattice.length - x));
   // Rows of a layer may lie far apart: copied once for all directions.
   const auto solid = zeros();
 
@@ -156,9 +159,13 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
   }
   for (int done = 0; done < lattice.layers; ++done) {
     const int layer = first - towards * done;
-    for (int r = 0; r < lattice.rows; ++r)
-      std::copy_n(lattice.data + layer * lattice.layerStride + r * lattice.rowStride, words,
-                  solid.get() + static_cast<std::size_t>(r) * words);
+    const std::uint64_t* from = lattice.data + layer * lattice.layerStride;
+    std::uint64_t* to = solid.get();
+    for (int r = 0; r < lattice.rows; ++r, from += lattice.rowStride) {
+      // No hardware sees so long a stride.
+      if (done + kFetchedAhead < lattice.layers) hwy::Prefetch(from - towards * kFetchedAhead * lattice.layerStride);
+      for (int w = 0; w < lattice.words; ++w) *to++ = from[w];
+    }
     for (std::size_t k = 0; k < directions.size(); ++k) {
       steps[k] = stepInto(layer, towards, directions[k]);
       const auto advance = [&](auto shift) {

@@ -31,7 +31,8 @@
 
 namespace isolume {
 
-/// Bits of a layer, rows rounded up and with kMostBeyond rows more, must be fewer: their places are computed in float.
+/// Bits of a layer, rows rounded up and with kMostBeyond rows more, must be fewer: then rows and columns are below 2^22,
+/// up to which floats are rounded by an addition, and four layers have fewer than 2^31.
 inline constexpr std::size_t kMostLayerBits = std::size_t{1} << 24;
 inline constexpr int kMostBeyond = 8;
 

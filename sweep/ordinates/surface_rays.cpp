@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "foot_sums.h"
 
@@ -45,18 +46,34 @@ std::vector<RayGroup> rayGroups(int axis, const std::vector<Ordinate>& ordinates
   return groups;
 }
 
-SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> distance, int refinement)
+SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> distance, int refinement, Orders orders)
     : spacing_(level.spacing),
       surface_(level, distance),
       lattice_(makeSolidLattice(level, surface_.solid(), refinement)),
-      points_{RayPoints(count()), RayPoints(count()), RayPoints(count())} {
-  const std::vector<glm::vec3> lifted = liftedFeet(surface_.feet(), lattice_, spacing_);
+      lifted_(liftedFeet(surface_.feet(), lattice_, spacing_)) {
   for (int axis = 0; axis < 3; ++axis) {
     const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
     if (voxelCount({layers.words * kWordBits, layers.rows + kMostBeyond, 1}) >= kMostLayerBits)
       throw std::length_error("openness: expected layers of fewer than 2^24 lattice points: take refinement 1");
-    points_[static_cast<std::size_t>(axis)].sort(surface_.feet(), lifted, lattice_, spacing_, axis);
   }
+  if (orders == Orders::remade) return;
+  for (int axis = 0; axis < 3; ++axis)
+    kept_.emplace_back(count()).sort(surface_.feet(), lifted_, lattice_, spacing_, axis);
+  lifted_ = {};
+}
+
+SurfaceFeet SurfaceRays::takeSurface() && {
+  lattice_ = {};
+  lifted_ = {};
+  kept_.clear();
+  return std::move(surface_);
+}
+
+// The order for an axis: a kept one, or one that is made in `room`.
+const RayPoints& SurfaceRays::ordered(int axis, RayPoints& room) const {
+  if (!kept_.empty()) return kept_[static_cast<std::size_t>(axis)];
+  room.sort(surface_.feet(), lifted_, lattice_, spacing_, axis);
+  return room;
 }
 
 std::vector<std::int32_t> SurfaceRays::sumGroups(const std::vector<Ordinate>& ordinates, int channels, int most,
@@ -64,15 +81,17 @@ std::vector<std::int32_t> SurfaceRays::sumGroups(const std::vector<Ordinate>& or
   const std::size_t feet = count(), stride = feet + kRayPadding, all = static_cast<std::size_t>(channels);
   FootSums shared(stride * all);
   std::vector<std::int32_t> whole(feet * all, 0);
+  RayPoints room(kept_.empty() ? feet : 0);
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<RayGroup> groups = rayGroups(axis, ordinates, cell(), most);
     const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
+    const RayPoints& points = ordered(axis, room);
     parallelFor(groups.size(), [&](std::size_t i) {
       std::vector<std::int32_t> own = shared.take();
-      sweep(axis, layers, groups[i], static_cast<std::ptrdiff_t>(stride), own.data());
+      sweep(axis, layers, points, groups[i], static_cast<std::ptrdiff_t>(stride), own.data());
       shared.giveBack(std::move(own));
     });
-    const std::uint32_t* foot = points(axis).foot();
+    const std::uint32_t* foot = points.foot();
     forEachFoot(feet, [&](std::size_t i) {
       for (std::size_t c = 0; c < all; ++c) whole[c * feet + foot[i]] += shared.takeTotal(c * stride + i);
     });
@@ -87,9 +106,10 @@ std::vector<float> SurfaceRays::sum(const std::vector<Ordinate>& ordinates, int 
   const auto scale = static_cast<float>(kLargestSum / total);
   const std::vector<std::int32_t> whole = sumGroups(
       ordinates, channels, kRayGroup,
-      [&](int axis, const LatticeLayers& layers, const RayGroup& group, std::ptrdiff_t stride, std::int32_t* own) {
+      [&](int, const LatticeLayers& layers, const RayPoints& points, const RayGroup& group, std::ptrdiff_t stride,
+          std::int32_t* own) {
         sweepRays(
-            layers, group.towards, group.directions, points(axis),
+            layers, group.towards, group.directions, points,
             {.channels = channels, .visible = count == Count::visible, .scale = scale, .stride = stride, .sums = own});
       });
   forEachFoot(sums.size(), [&](std::size_t i) { sums[i] = static_cast<float>(whole[i] / static_cast<double>(scale)); });

@@ -1,9 +1,10 @@
 // The points of a surface at which light is summed, and the lattice that its rays pass, made once for any number of
 // sweeps over directions of any kind: the sky, a map, a disc.
 //
-// Memory: surface_feet.h and solid_lattice.h, 84 bytes per foot for the three orders of points (ray_points.h), and
-// while a sweep runs 4 bytes per foot, channel and thread. Sweeps are threaded, bitwise the same for any number of
-// threads and any SIMD width.
+// Memory: surface_feet.h and solid_lattice.h; per foot 84 bytes for the three orders of points (ray_points.h) where
+// they are kept, and 12 bytes, and 28 more while a sweep runs, where they are remade; while a sweep runs 4 bytes per
+// foot and channel, and 4 more for each thread. Sweeps are threaded, bitwise the same for any number of threads and any
+// SIMD width.
 #pragma once
 
 #include <array>
@@ -37,21 +38,25 @@ std::vector<RayGroup> rayGroups(int axis, const std::vector<Ordinate>& ordinates
 
 class SurfaceRays {
  public:
+  /// Whether the orders of points are kept for many sweeps, or each is made anew by each sweep: for a single one.
+  enum class Orders { kept, remade };
   /// `level` as of makeLevel(), `distance` exact next to its surface; both are borrowed for good. std::length_error
   /// where a layer of the lattice has 2^24 points or more (2048^3 refined).
-  SurfaceRays(GridView<const float> level, GridView<const float> distance, int refinement);
+  SurfaceRays(GridView<const float> level, GridView<const float> distance, int refinement,
+              Orders orders = Orders::kept);
 
   const SurfaceFeet& surface() const { return surface_; }
+  /// The surface alone: all else is freed, and nothing can be swept any more.
+  SurfaceFeet takeSurface() &&;
   const SolidLattice& lattice() const { return lattice_; }
-  const RayPoints& points(int axis) const { return points_[static_cast<std::size_t>(axis)]; }
   glm::dvec3 spacing() const { return spacing_; }
   glm::dvec3 cell() const { return spacing_ / static_cast<double>(lattice_.refinement); }
   std::size_t count() const { return surface_.feet().size(); }
 
   enum class Count { blocked, visible };
-  /// A sweep of one group along an axis, which adds to sums[c * stride + i] for point i of that axis and channel c.
-  using GroupSweep = std::function<void(int axis, const LatticeLayers& lattice, const RayGroup& group,
-                                        std::ptrdiff_t stride, std::int32_t* sums)>;
+  /// A sweep of one group along an axis, which adds to sums[c * stride + i] for point i and channel c.
+  using GroupSweep = std::function<void(int axis, const LatticeLayers& lattice, const RayPoints& points,
+                                        const RayGroup& group, std::ptrdiff_t stride, std::int32_t* sums)>;
   /// [c * count() + foot] = the sums of all groups of up to `most` ordinates. Threaded.
   std::vector<std::int32_t> sumGroups(const std::vector<Ordinate>& ordinates, int channels, int most,
                                       const GroupSweep& sweep) const;
@@ -61,10 +66,13 @@ class SurfaceRays {
   std::vector<float> sum(const std::vector<Ordinate>& ordinates, int channels, Count count) const;
 
  private:
+  const RayPoints& ordered(int axis, RayPoints& room) const;
+
   glm::dvec3 spacing_;
   SurfaceFeet surface_;
   SolidLattice lattice_;
-  std::array<RayPoints, 3> points_;
+  std::vector<glm::vec3> lifted_;  // where no orders are kept
+  std::vector<RayPoints> kept_;    // by axis
 };
 
 }  // namespace isolume

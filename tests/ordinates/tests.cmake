@@ -13,6 +13,7 @@ isolume_test(test_ordinates
   ordinates/solid_lattice_test.cpp
   ordinates/surface_feet_test.cpp
   ordinates/surface_field_test.cpp
+  ordinates/surface_rays_test.cpp
   ordinates/translucency_test.cpp
   support/plain_carried.cpp
   support/plain_rays.cpp
