@@ -16,6 +16,9 @@ using LightTag = hn::ScalableTag<std::int16_t>;
 using LightVec = hn::Vec<LightTag>;
 using LightMask = hn::Mask<LightTag>;
 
+// Rows follow each other in memory, faster than the hardware guesses: values ahead to ask for.
+constexpr int kAhead = 1024;
+
 void transmittanceRowOnTarget(const float* distance, int count, float perSmallest, float opacity, std::int16_t* row) {
   const hn::Rebind<std::int16_t, hn::ScalableTag<float>> d16;
   const hn::ScalableTag<float> d;
@@ -30,8 +33,6 @@ void transmittanceRowOnTarget(const float* distance, int count, float perSmalles
     return hn::DemoteTo(d16, hn::NearestInt(hn::Mul(tau, units)));
   };
   int x = 0;
-  // Rows follow each other in memory, faster than the hardware guesses.
-  constexpr int kAhead = 1024;
   for (; x + lanes <= count; x += lanes) {
     hwy::Prefetch(distance + x + kAhead);
     hn::StoreU(convert(hn::LoadU(d, distance + x)), d16, row + x);
@@ -132,7 +133,10 @@ HWY_INLINE void forEachVector(const MergedRows& rows, T* voxels, const Pack& pac
   const std::int16_t *rising = rows.rising, *falling = rows.falling;
   for (int y = 0; y < rows.ny; ++y, rising += rows.stride, falling += rows.stride, voxels += rows.nx) {
     int x = 0;
-    for (; x + lanes <= rows.nx; x += lanes) pack(rising + x, falling + x, voxels + x);
+    for (; x + lanes <= rows.nx; x += lanes) {
+      hwy::Prefetch(voxels + x + kAhead);
+      pack(rising + x, falling + x, voxels + x);
+    }
     if (x == rows.nx) continue;
     alignas(64) T some[lanes];
     for (int i = 0; i < lanes; ++i) some[i] = x + i < rows.nx ? voxels[x + i] : 0;
