@@ -16,6 +16,9 @@ using LightTag = hn::ScalableTag<std::int16_t>;
 using LightVec = hn::Vec<LightTag>;
 using LightMask = hn::Mask<LightTag>;
 
+// Rows follow each other in memory, faster than the hardware guesses: values ahead to ask for.
+constexpr int kAhead = 1024;
+
 void transmittanceRowOnTarget(const float* distance, int count, float perSmallest, float opacity, std::int16_t* row) {
   const hn::Rebind<std::int16_t, hn::ScalableTag<float>> d16;
   const hn::ScalableTag<float> d;
@@ -30,8 +33,6 @@ void transmittanceRowOnTarget(const float* distance, int count, float perSmalles
     return hn::DemoteTo(d16, hn::NearestInt(hn::Mul(tau, units)));
   };
   int x = 0;
-  // Rows follow each other in memory, faster than the hardware guesses.
-  constexpr int kAhead = 1024;
   for (; x + lanes <= count; x += lanes) {
     hwy::Prefetch(distance + x + kAhead);
     hn::StoreU(convert(hn::LoadU(d, distance + x)), d16, row + x);
@@ -41,6 +42,14 @@ void transmittanceRowOnTarget(const float* distance, int count, float perSmalles
     for (int i = 0; i < lanes; ++i) some[i] = x + i < count ? distance[x + i] : 1 / perSmallest;
     hn::StoreU(convert(hn::Load(d, some)), d16, row + x);
   }
+}
+
+Content contentOfRowsOnTarget(const std::int16_t* rows, std::ptrdiff_t stride, int count) {
+  const LightTag d;
+  const auto first = hn::Set(d, rows[0]);
+  auto other = hn::Zero(d);
+  for (int y = 0; y < count; ++y) other = hn::Or(other, hn::Xor(hn::Load(d, rows + y * stride), first));
+  return hn::AllTrue(d, hn::Eq(other, hn::Zero(d))) ? Content{true, rows[0]} : Content{};
 }
 
 // Takes lane j of out[t] from in[t - direction * k * unit], k two binary digits of its shift, from the one of weight
@@ -83,40 +92,38 @@ class Digits {
   LightMask is_[3];
 };
 
-// Lanes of a vector need digits of weight 1, 4 and 16 at most.
+// Lanes of a vector need digits of weight 1, 4 and 16 at most. A pass is as much longer than the stretch that is asked
+// for as the passes after it reach: those of the large digits come first.
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(LightTag()));
+constexpr int kReachOf1 = std::min(3, kLanes - 1), kReachOf4 = std::min(3 * 4, kLanes - 1 - kReachOf1);
+constexpr int kReach = kReachOf1 + kReachOf4;
 
-void shearRowsOnTarget(const std::int16_t* rows, std::ptrdiff_t stride, const ColumnShape& shape, bool rising,
-                       std::int16_t* scratch, std::int16_t* diagonals) {
-  const int steps = shape.steps();
-  // In front of each buffer there are `lanes` vectors of rows before the first: clear.
-  const std::ptrdiff_t front = static_cast<std::ptrdiff_t>(kLanes) * kLanes;
-  std::int16_t* first = scratch + front;
-  std::int16_t* second = first + static_cast<std::ptrdiff_t>(steps + kLanes) * kLanes;
-  std::fill_n(first - front, front, kClear);
-  Digits(1, rising).apply<1>(rows, stride, first, kLanes, steps);
+void shearRowsOnTarget(const std::int16_t* rows, std::ptrdiff_t stride, bool rising, Stretch steps,
+                       std::int16_t* scratch, std::int16_t* second, std::int16_t* diagonals) {
+  const int count = steps.end - steps.begin;
+  const std::int16_t* from = rows + steps.begin * stride;
+  std::int16_t* for1 = scratch + kReachOf1 * kLanes;
   if constexpr (kLanes <= 16) {
-    Digits(4, rising).apply<1>(first, kLanes, diagonals, kLanes, steps);
+    Digits(4, rising).apply<1>(from - kReachOf1 * stride, stride, scratch, kLanes, count + kReachOf1);
   } else {
-    std::fill_n(second - front, front, kClear);
-    Digits(4, rising).apply<1>(first, kLanes, second, kLanes, steps);
-    Digits(16, rising).apply<1>(second, kLanes, diagonals, kLanes, steps);
+    Digits(16, rising).apply<1>(from - kReach * stride, stride, second, kLanes, count + kReach);
+    Digits(4, rising).apply<1>(second + kReachOf4 * kLanes, kLanes, scratch, kLanes, count + kReachOf1);
   }
+  Digits(1, rising).apply<1>(for1, kLanes, diagonals + static_cast<std::ptrdiff_t>(steps.begin) * kLanes, kLanes,
+                             count);
 }
 
-void unshearRowsOnTarget(const std::int16_t* diagonals, const ColumnShape& shape, bool rising, std::int16_t* scratch,
-                         std::int16_t* rows, std::ptrdiff_t stride) {
-  std::int16_t* first = scratch;
-  std::int16_t* second = scratch + static_cast<std::ptrdiff_t>(shape.steps() + kLanes) * kLanes;
-  const int forDigit1 = shape.ny + 3;  // vectors that the last pass reads
+void unshearRowsOnTarget(const std::int16_t* diagonals, bool rising, Stretch rows, std::int16_t* scratch,
+                         std::int16_t* second, std::int16_t* values, std::ptrdiff_t stride) {
+  const int count = rows.end - rows.begin;
+  const std::int16_t* from = diagonals + static_cast<std::ptrdiff_t>(rows.begin) * kLanes;
   if constexpr (kLanes <= 16) {
-    Digits(4, rising).apply<-1>(diagonals, kLanes, first, kLanes, forDigit1);
+    Digits(4, rising).apply<-1>(from, kLanes, scratch, kLanes, count + kReachOf1);
   } else {
-    constexpr int kReachOfDigit4 = 3 * 4;
-    Digits(16, rising).apply<-1>(diagonals, kLanes, second, kLanes, forDigit1 + kReachOfDigit4);
-    Digits(4, rising).apply<-1>(second, kLanes, first, kLanes, forDigit1);
+    Digits(16, rising).apply<-1>(from, kLanes, second, kLanes, count + kReach);
+    Digits(4, rising).apply<-1>(second, kLanes, scratch, kLanes, count + kReachOf1);
   }
-  Digits(1, rising).apply<-1>(first, kLanes, rows, stride, shape.ny);
+  Digits(1, rising).apply<-1>(scratch, kLanes, values + rows.begin * stride, stride, count);
 }
 
 // Calls pack(rising, falling, voxels) for each vector of 32-bit lanes; the last of a row goes through a buffer.
@@ -126,7 +133,10 @@ HWY_INLINE void forEachVector(const MergedRows& rows, T* voxels, const Pack& pac
   const std::int16_t *rising = rows.rising, *falling = rows.falling;
   for (int y = 0; y < rows.ny; ++y, rising += rows.stride, falling += rows.stride, voxels += rows.nx) {
     int x = 0;
-    for (; x + lanes <= rows.nx; x += lanes) pack(rising + x, falling + x, voxels + x);
+    for (; x + lanes <= rows.nx; x += lanes) {
+      hwy::Prefetch(voxels + x + kAhead);
+      pack(rising + x, falling + x, voxels + x);
+    }
     if (x == rows.nx) continue;
     alignas(64) T some[lanes];
     for (int i = 0; i < lanes; ++i) some[i] = x + i < rows.nx ? voxels[x + i] : 0;
@@ -175,6 +185,7 @@ HWY_AFTER_NAMESPACE();
 namespace isolume {
 
 HWY_EXPORT(transmittanceRowOnTarget);
+HWY_EXPORT(contentOfRowsOnTarget);
 HWY_EXPORT(shearRowsOnTarget);
 HWY_EXPORT(unshearRowsOnTarget);
 HWY_EXPORT(packBytesOnTarget);
@@ -184,14 +195,20 @@ void transmittanceRow(const float* distance, int count, float perSmallest, float
   HWY_DYNAMIC_DISPATCH(transmittanceRowOnTarget)(distance, count, perSmallest, opacity, row);
 }
 
-void shearRows(const std::int16_t* rows, std::ptrdiff_t stride, const ColumnShape& shape, bool rising,
-               std::int16_t* scratch, std::int16_t* diagonals) {
-  HWY_DYNAMIC_DISPATCH(shearRowsOnTarget)(rows, stride, shape, rising, scratch, diagonals);
+Content contentOfRows(const std::int16_t* rows, std::ptrdiff_t stride, int count) {
+  return HWY_DYNAMIC_DISPATCH(contentOfRowsOnTarget)(rows, stride, count);
 }
 
-void unshearRows(const std::int16_t* diagonals, const ColumnShape& shape, bool rising, std::int16_t* scratch,
-                 std::int16_t* rows, std::ptrdiff_t stride) {
-  HWY_DYNAMIC_DISPATCH(unshearRowsOnTarget)(diagonals, shape, rising, scratch, rows, stride);
+void shearRows(const std::int16_t* rows, std::ptrdiff_t stride, const ColumnShape& shape, bool rising, Stretch steps,
+               std::int16_t* scratch, std::int16_t* diagonals) {
+  std::int16_t* second = scratch + shearScratch(shape) / 2;
+  HWY_DYNAMIC_DISPATCH(shearRowsOnTarget)(rows, stride, rising, steps, scratch, second, diagonals);
+}
+
+void unshearRows(const std::int16_t* diagonals, const ColumnShape& shape, bool rising, Stretch rows,
+                 std::int16_t* scratch, std::int16_t* values, std::ptrdiff_t stride) {
+  std::int16_t* second = scratch + shearScratch(shape) / 2;
+  HWY_DYNAMIC_DISPATCH(unshearRowsOnTarget)(diagonals, rising, rows, scratch, second, values, stride);
 }
 
 void packBytes(const MergedRows& rows, glm::u8vec4* voxels) {

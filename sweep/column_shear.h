@@ -14,18 +14,26 @@ namespace isolume {
 /// vectors, kClear beyond the count.
 void transmittanceRow(const float* distance, int count, float perSmallest, float opacity, std::int16_t* row);
 
-/// `rows`: that of y = 0 of a plane, `stride` values apart, `lanes` of each are read; diagonals[0] is step 0. Rows
-/// beyond 0 ... ny - 1 count as kClear. `scratch`: 2 * (steps + lanes) * lanes values.
-void shearRows(const std::int16_t* rows, std::ptrdiff_t stride, const ColumnShape& shape, bool rising,
+/// What a column's `lanes` values in each of `count` >= 1 rows are.
+Content contentOfRows(const std::int16_t* rows, std::ptrdiff_t stride, int count);
+
+/// Steps or rows from `begin` to before `end`.
+struct Stretch {
+  int begin = 0, end = 0;
+};
+
+/// The diagonals of these steps. `rows`: that of y = 0 of a plane, `stride` values apart, `lanes` of each are read,
+/// from `lanes` rows before those of y = begin on; diagonals[0] is step 0.
+void shearRows(const std::int16_t* rows, std::ptrdiff_t stride, const ColumnShape& shape, bool rising, Stretch steps,
                std::int16_t* scratch, std::int16_t* diagonals);
 
-/// The way back: `lanes` values of each row of y in 0 ... ny - 1.
-void unshearRows(const std::int16_t* diagonals, const ColumnShape& shape, bool rising, std::int16_t* scratch,
-                 std::int16_t* rows, std::ptrdiff_t stride);
+/// The way back: `lanes` values of each of these rows, from the steps y to y + lanes - 1.
+void unshearRows(const std::int16_t* diagonals, const ColumnShape& shape, bool rising, Stretch rows,
+                 std::int16_t* scratch, std::int16_t* values, std::ptrdiff_t stride);
 
 /// Values of a scratch of the two.
 inline std::size_t shearScratch(const ColumnShape& shape) {
-  return 2 * static_cast<std::size_t>(shape.steps() + 2 * shape.lanes) * static_cast<std::size_t>(shape.lanes);
+  return 2 * static_cast<std::size_t>(shape.steps() + shape.lanes) * static_cast<std::size_t>(shape.lanes);
 }
 
 /// A plane of what all octants of a walk leave, rows `stride` >= nx values apart, rounded up to whole vectors.

@@ -1,5 +1,7 @@
 #include "fixed_light.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/fixed_light.cpp"
 #include <hwy/foreach_target.h>
@@ -63,25 +65,36 @@ HWY_INLINE LightVec arriving(LightVec minusX, LightVec minusY, LightVec dither, 
   return hn::Max(hn::SaturatedAdd(hn::SaturatedSub(fromX, z), fromY), hn::Zero(LightTag()));
 }
 
-// The dither of one step after the other.
+// e of the planes of one step after the other.
 class Dither {
  public:
-  Dither(int phase, FixedWeights weights) : phase_(((phase % kCycle) + kCycle) % kCycle) {
-    const bool dithers = weights.x < kHalf && weights.y < kHalf;
-    values_[1] = dithers ? std::int16_t{1} : std::int16_t{0};
-    values_[2] = static_cast<std::int16_t>(-values_[1]);
+  Dither(int phase, FixedWeights weights) : phase_(phase), dithers_(weights.x < kHalf && weights.y < kHalf) {
+    start(0);
   }
-  HWY_INLINE LightVec next() {
-    const auto value = hn::Set(LightTag(), values_[phase_]);
-    phase_ = phase_ == kCycle - 1 ? 0 : phase_ + 1;
-    return value;
+  // From the step on that comes `step`-th.
+  HWY_INLINE void start(int step) {
+    const int phase = ((phase_ + step) % kCycle + kCycle) % kCycle;
+    for (int i = 0; i < kCycle; ++i) turns_[i] = hn::Set(LightTag(), valueAt((phase + i) % kCycle));
+  }
+  HWY_INLINE LightVec of(int plane) const { return turns_[plane]; }
+  HWY_INLINE void next() {
+    const auto first = turns_[0];
+    turns_[0] = turns_[1];
+    turns_[1] = turns_[2];
+    turns_[2] = first;
   }
 
  private:
   static constexpr int kCycle = 3;
+  static_assert(kFixedPlanes <= kCycle);
   static constexpr std::int16_t kHalf = 1 << 14;
-  std::int16_t values_[kCycle] = {0, 0, 0};
+  std::int16_t valueAt(int turn) const {
+    if (!dithers_ || turn == 0) return 0;
+    return turn == 1 ? std::int16_t{1} : std::int16_t{-1};
+  }
   int phase_;
+  bool dithers_;
+  LightVec turns_[kCycle];
 };
 
 // What V leaves in a column.
@@ -99,58 +112,157 @@ struct PartVec {
   }
 };
 
+// Whether vectors hold `value` alone.
+HWY_INLINE bool allAre(const std::int16_t* vectors, int count, std::int16_t value) {
+  const LightTag d;
+  const auto wanted = hn::Set(d, value);
+  auto other = hn::Zero(d);
+  for (int i = 0; i < count; ++i)
+    other = hn::Or(other, hn::Xor(hn::Load(d, vectors + i * static_cast<std::ptrdiff_t>(hn::Lanes(d))), wanted));
+  return hn::AllTrue(d, hn::Eq(other, hn::Zero(d)));
+}
+// The same of kSegment values anywhere.
+using SegmentTag = hn::CappedTag<std::int16_t, kSegment>;
+HWY_INLINE bool segmentIs(const std::int16_t* values, std::int16_t value) {
+  const SegmentTag d;
+  auto other = hn::Zero(d);
+  for (int i = 0; i < kSegment; i += static_cast<int>(hn::Lanes(d)))
+    other = hn::Or(other, hn::Xor(hn::LoadU(d, values + i), hn::Set(d, value)));
+  return hn::AllTrue(d, hn::Eq(other, hn::Zero(d)));
+}
+HWY_INLINE void fillSegment(std::int16_t* values, std::int16_t value) {
+  const SegmentTag d;
+  for (int i = 0; i < kSegment; i += static_cast<int>(hn::Lanes(d))) hn::StoreU(hn::Set(d, value), d, values + i);
+}
+
+// A column on its way, segment by segment. kUp: up in x.
+template <bool kForward, bool kUp>
+class ColumnSweep {
+ public:
+  ColumnSweep(const FixedColumn& column, const ColumnShape& shape, FixedWeights weights)
+      : column_(column),
+        steps_(shape.steps()),
+        plane_(static_cast<std::ptrdiff_t>(shape.plane())),
+        handover_(static_cast<std::ptrdiff_t>(shape.handover())),
+        edge_(column.edge + shape.lanes),
+        part_(column.part),
+        dither_(column.phase, weights),
+        minusX_(hn::Set(LightTag(), static_cast<std::int16_t>(-weights.x))),
+        minusY_(hn::Set(LightTag(), static_cast<std::int16_t>(-weights.y))) {
+    for (auto& before : before_) before = hn::Set(LightTag(), static_cast<std::int16_t>(-kFullLight));
+  }
+
+  // Passes over a segment if it can, and says if not.
+  HWY_INLINE bool enter(int segment) {
+    const int first = segment * kSegment, count = std::min(kSegment, steps_ - first);
+    const Content carried = column_.carriedContent[segment];
+    Content& merged = column_.mergedContent[segment];
+    if (!carried.even || !staysAs(segment, carried.value)) {
+      if (!kForward && merged.even) addToMerged(first, count, merged.value, true);
+      merged = {};
+      dither_.start(kForward ? first : steps_ - first - count);
+      return true;
+    }
+    for (int p = 0; p < kFixedPlanes; ++p) fillSegment(edge_ + p * handover_ + first - kWriteBehind, carried.value);
+    const LightPart& part = column_.part;
+    constexpr int kOne = 1 << 15;
+    const int light = -carried.value, left = ((light - part.zero) * part.factor + kOne / 2) >> 15;
+    const auto added = static_cast<std::int16_t>(kForward ? left : left * part.unit);
+    if (kForward)
+      merged = {true, added};
+    else if (merged.even)
+      merged.value = static_cast<std::int16_t>(merged.value + added);
+    else if (added != 0)
+      addToMerged(first, count, added, false);
+    return false;
+  }
+
+  HWY_INLINE void step(std::ptrdiff_t t) {
+    const LightTag d;
+    const std::ptrdiff_t at = t * static_cast<std::ptrdiff_t>(hn::Lanes(d));
+    auto below = hn::Load(d, column_.carried + at);
+    HWY_UNROLL(2)
+    for (int p = 0; p < kFixedPlanes; ++p) {
+      const std::ptrdiff_t onEdge = p * handover_ + t, inPlane = p * plane_ + at;
+      const std::int16_t in = edge_[onEdge - kReadBehind];
+      const auto beside = kUp ? shift_.up(before_[p], in) : shift_.down(before_[p], in);
+      const auto light = arriving(minusX_, minusY_, dither_.of(p), beside, before_[p], below);
+      part_.template store<kForward>(light, column_.merged + inPlane);
+      below = hn::MulFixedPoint15(light, hn::Load(d, column_.transmittance + inPlane));
+      before_[p] = below;
+      edge_[onEdge - kWriteBehind] = kUp ? hn::ExtractLane(below, kLanes - 1) : hn::GetLane(below);
+    }
+    hn::Store(below, d, column_.carried + at);
+    dither_.next();
+  }
+
+  // After the steps of a segment.
+  HWY_INLINE void leave(int segment) {
+    const int first = segment * kSegment, count = std::min(kSegment, steps_ - first);
+    const std::int16_t* carried = column_.carried + static_cast<std::ptrdiff_t>(first) * kLanes;
+    const bool known = carried[0] == 0 || carried[0] == -kFullLight;
+    column_.carriedContent[segment] = {known && allAre(carried, count, carried[0]), carried[0]};
+  }
+
+ private:
+  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(LightTag()));
+  // An edge is read at one lane's y and written behind it, at the other's.
+  static constexpr int kReadBehind = kForward ? 0 : kLanes - 1, kWriteBehind = kForward ? kLanes - 1 : 0;
+
+  // Whether all that flows in beside what is carried has the value, and goes on as it.
+  HWY_INLINE bool staysAs(int segment, std::int16_t value) const {
+    const Content through = column_.transmittanceContent[segment];
+    if (value != 0 && !(through.even && through.value == kClear)) return false;
+    const LightTag d;
+    auto other = hn::Zero(d);
+    for (const auto& before : before_) other = hn::Or(other, hn::Xor(before, hn::Set(d, value)));
+    if (!hn::AllTrue(d, hn::Eq(other, hn::Zero(d)))) return false;
+    for (int p = 0; p < kFixedPlanes; ++p)
+      if (!segmentIs(edge_ + p * handover_ + segment * kSegment - kReadBehind, value)) return false;
+    return true;
+  }
+  void addToMerged(int first, int count, std::int16_t value, bool anew) const {
+    const LightTag d;
+    for (int p = 0; p < kFixedPlanes; ++p)
+      for (int t = first; t < first + count; ++t) {
+        std::int16_t* merged = column_.merged + p * plane_ + static_cast<std::ptrdiff_t>(t) * kLanes;
+        const auto added = hn::Set(d, value);
+        hn::Store(anew ? added : hn::Add(hn::Load(d, merged), added), d, merged);
+      }
+  }
+
+  FixedColumn column_;
+  int steps_;
+  std::ptrdiff_t plane_, handover_;
+  std::int16_t* edge_;
+  PartVec part_;
+  Dither dither_;
+  LightVec minusX_, minusY_, before_[kFixedPlanes];
+  LaneShift shift_;
+};
+
 template <bool kForward>
 void sweepColumnsAs(const FixedColumn& up, const FixedColumn& down, const ColumnShape& shape, FixedWeights weights) {
-  const LightTag d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  const int steps = shape.steps();
-  const LaneShift shift;
-  const PartVec part0(up.part), part1(down.part);
-  const auto minusX = hn::Set(d, static_cast<std::int16_t>(-weights.x));
-  const auto minusY = hn::Set(d, static_cast<std::int16_t>(-weights.y));
-  const auto plane = static_cast<std::ptrdiff_t>(shape.plane());
-  const auto handover = static_cast<std::ptrdiff_t>(shape.handover());
-
-  const std::int16_t* HWY_RESTRICT clear0 = up.transmittance + lanes;
-  const std::int16_t* HWY_RESTRICT clear1 = down.transmittance + lanes;
-  std::int16_t* HWY_RESTRICT merged0 = up.merged + lanes;
-  std::int16_t* HWY_RESTRICT merged1 = down.merged + lanes;
-  std::int16_t* HWY_RESTRICT carried0 = up.carried + lanes;
-  std::int16_t* HWY_RESTRICT carried1 = down.carried + lanes;
-  // Read at one lane's y and written behind it, at the other's.
-  std::int16_t* edge0 = up.edge + lanes;
-  std::int16_t* edge1 = down.edge + lanes;
-  const int readBehind = kForward ? 0 : lanes - 1, writeBehind = kForward ? lanes - 1 : 0;
-
-  const auto full = hn::Set(d, static_cast<std::int16_t>(-kFullLight));
-  LightVec before0[kFixedPlanes] = {full, full};
-  LightVec before1[kFixedPlanes] = {full, full};
-  Dither dither0(up.phase, weights), dither1(down.phase, weights);
-  for (int n = 0; n < steps + kFixedPlanes - 1; ++n) {
-    const auto offset0 = dither0.next(), offset1 = dither1.next();
-    // From the last plane to the first: a plane reads what the one before held a step ago.
-    HWY_UNROLL(2)
-    for (int p = kFixedPlanes - 1; p >= 0; --p) {
-      const std::ptrdiff_t t = kForward ? n - p : steps - 1 - (n - p);
-      const std::ptrdiff_t at = t * lanes;
-      const std::ptrdiff_t onEdge = p * handover + t;
-      const auto below0 = p == 0 ? hn::Load(d, carried0 + at) : before0[p == 0 ? 0 : p - 1];
-      const auto below1 = p == 0 ? hn::Load(d, carried1 + at) : before1[p == 0 ? 0 : p - 1];
-      const auto beside0 = shift.up(before0[p], edge0[onEdge - readBehind]);
-      const auto beside1 = shift.down(before1[p], edge1[onEdge - readBehind]);
-      const auto light0 = arriving(minusX, minusY, offset0, beside0, before0[p], below0);
-      const auto light1 = arriving(minusX, minusY, offset1, beside1, before1[p], below1);
-      part0.store<kForward>(light0, merged0 + p * plane + at);
-      part1.store<kForward>(light1, merged1 + p * plane + at);
-      before0[p] = hn::MulFixedPoint15(light0, hn::Load(d, clear0 + p * plane + at));
-      before1[p] = hn::MulFixedPoint15(light1, hn::Load(d, clear1 + p * plane + at));
-      edge0[onEdge - writeBehind] = hn::ExtractLane(before0[p], static_cast<std::size_t>(lanes) - 1);
-      edge1[onEdge - writeBehind] = hn::GetLane(before1[p]);
-      if (p == kFixedPlanes - 1) {
-        hn::Store(before0[p], d, carried0 + at);
-        hn::Store(before1[p], d, carried1 + at);
+  ColumnSweep<kForward, true> first(up, shape, weights);
+  ColumnSweep<kForward, false> second(down, shape, weights);
+  const int segments = shape.segments();
+  for (int i = 0; i < segments; ++i) {
+    const int segment = kForward ? i : segments - 1 - i;
+    const bool sweepFirst = first.enter(segment), sweepSecond = second.enter(segment);
+    const int begin = segment * kSegment, end = std::min(begin + kSegment, shape.steps());
+    const auto stepOf = [&](int n) { return kForward ? n : begin + end - 1 - n; };
+    if (sweepFirst && sweepSecond) {
+      for (int n = begin; n < end; ++n) {
+        first.step(stepOf(n));
+        second.step(stepOf(n));
       }
+    } else if (sweepFirst) {
+      for (int n = begin; n < end; ++n) first.step(stepOf(n));
+    } else if (sweepSecond) {
+      for (int n = begin; n < end; ++n) second.step(stepOf(n));
     }
+    if (sweepFirst) first.leave(segment);
+    if (sweepSecond) second.leave(segment);
   }
 }
 

@@ -10,6 +10,10 @@
 // weight is 1/2 or more, for there it would not round away in open space. Open space stays full and solid dark,
 // exactly. Against the sweep in float: see fixed_light_sweeper.h.
 //
+// A segment of kSegment steps is passed over where nothing can change in it: where all that flows in is dark, or full
+// through clear voxels alone. Both are exact: equal N give c = -e, which rounds away, so that V = -N, and
+// R(kFullLight kClear) = -kFullLight. What is handed on then is what came in, and V is one value.
+//
 // Layout: a column is `lanes` voxels in x by all of y, kFixedPlanes planes. Its vectors are diagonals, so that a sweep
 // needs only vectors before: lane j of step t holds y = t - j (rising) or y = t - (lanes - 1 - j) (falling). Rising
 // diagonals serve the octants that run up (down) in both x and y, walked forward (backward); falling ones the others.
@@ -29,15 +33,32 @@ inline constexpr int kFixedPlanes = 2;
 /// Columns' width = lanes of 16 bits on this machine.
 int columnLanes();
 
+/// Steps of a column, and rows of a plane, that are treated alike where they are even. Shorter ones find more that is
+/// even, and take longer to find it.
+inline constexpr int kSegment = 16;
+
+/// What a segment holds: `value` everywhere, or several values.
+struct Content {
+  bool even = false;
+  std::int16_t value = 0;
+  bool operator==(const Content&) const = default;
+};
+/// What segments hold that may be of one value together.
+inline Content together(Content a, Content b) { return a == b ? a : Content{}; }
+
 /// Lengths of the buffers below, for rows of ny voxels in y.
 struct ColumnShape {
   int ny = 0, lanes = 0;
   int steps() const { return ny + lanes - 1; }
-  /// Values of one plane of a column: a step more on both sides, for planes run staggered.
-  std::size_t plane() const { return static_cast<std::size_t>(steps() + 2) * static_cast<std::size_t>(lanes); }
+  /// Segments of a column's steps; the last may be shorter.
+  int segments() const { return (steps() + kSegment - 1) / kSegment; }
+  /// Segments of a plane's rows.
+  int rowSegments() const { return (ny + kSegment - 1) / kSegment; }
+  /// Values of one plane of a column.
+  std::size_t plane() const { return static_cast<std::size_t>(steps()) * static_cast<std::size_t>(lanes); }
   std::size_t column() const { return plane() * kFixedPlanes; }
-  /// Values of what a plane's last lane hands on, from y = -lanes on.
-  std::size_t handover() const { return static_cast<std::size_t>(ny + 2 * lanes); }
+  /// Values of what a plane's last lane hands on, from y = -lanes on; the last segment may be whole.
+  std::size_t handover() const { return static_cast<std::size_t>(ny + 2 * lanes + kSegment); }
 };
 
 /// What a column keeps of the two octants that share its diagonals: the first stores R((V - zero) factor), the second
@@ -50,14 +71,17 @@ inline constexpr LightPart kFirstByte{0, 255, 1}, kSecondByte{0, 255, 256};
 /// R(share (kFullLight - V)), summed: 0 in the open, exactly. Share in units of 2^-15.
 constexpr LightPart missingLight(std::int16_t share) { return {kFullLight, static_cast<std::int16_t>(-share), 1}; }
 
-/// One column of one octant. All [plane][step from -1 on][lane] but for `edge`.
+/// One column of one octant. All [plane][step][lane] but for `edge`; contents [segment], of all planes.
 struct FixedColumn {
   const std::int16_t* transmittance = nullptr;  ///< -tau
+  const Content* transmittanceContent = nullptr;
   LightPart part;
-  std::int16_t* merged = nullptr;   ///< parts, out; read too if walked backward
-  std::int16_t* carried = nullptr;  ///< [step][lane]: N of the plane before, replaced by the last plane's
-  std::int16_t* edge = nullptr;     ///< [plane][y]: N of the column before in x, replaced by this one's
-  int phase = 0;                    ///< of e at the first step in the first plane: sign_x x + sign_y y + sign_z z
+  std::int16_t* merged = nullptr;    ///< parts, out; read too if walked backward
+  Content* mergedContent = nullptr;  ///< in and out as `merged`, whose even segments are left unwritten
+  std::int16_t* carried = nullptr;   ///< [step][lane]: N of the plane before, replaced by the last plane's
+  Content* carriedContent = nullptr;
+  std::int16_t* edge = nullptr;  ///< [plane][y]: N of the column before in x, replaced by this one's
+  int phase = 0;                 ///< of e at the first step in the first plane: sign_x x + sign_y y + sign_z z
 };
 
 /// Weights of Eq. 6 in units of 2^-15; the third is what they leave of 1.

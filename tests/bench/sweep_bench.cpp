@@ -5,17 +5,27 @@
 // voxel and sweep. Beside each time: mean and largest error of the distance in voxels, checked after timing. The plain
 // loops are the distance alone one voxel at a time on one core: compare with them in the same run, for absolute times
 // drift on shared machines. A band counts all voxels of the grid, whether swept or not, and its errors are those of its
-// bound; manyRounds sweeps until nothing changes; lightAlone goes through given distances.
+// bound; manyRounds sweeps until nothing changes; lightAlone goes through given distances. sceneOctants and sceneMean
+// are light alone too, on the ball (0) and the scenes corner, gyroid and capsules (1, 2, 3) at 250^3; the distance is
+// swept beside it, one for one, and `of_distance` is the smallest time of the one over that of the other.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "support/plain_sweep.h"
 #include "support/test_levels.h"
+#include "sweep/level.h"
 #include "sweep/occlusion_sweep.h"
 #include "sweep/parallel.h"
+#include "volumes/scenes.h"
 
 namespace isolume {
 namespace {
@@ -95,6 +105,48 @@ void lightAlone(benchmark::State& state) {
 
 void oneNumber(benchmark::State& state) { sweepAs(state, {.visibility = VisibilityStorage::combined}); }
 
+constexpr std::array<std::string_view, 4> kScenes{"ball", "corner", "gyroid", "capsules"};
+
+Grid<float> levelOfScene(std::size_t scene) {
+  constexpr int kSize = 250;
+  if (scene == 0) return makeBall(glm::ivec3(kSize)).level;
+  Grid<float> level = sampleScene(*findScene(kScenes[scene]), kSize);
+  makeLevel(level.view(), 0, Inside::below);
+  return level;
+}
+
+// Seconds that `work` takes.
+template <class Work>
+double secondsOf(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void lightOfScene(benchmark::State& state, VisibilityStorage storage) {
+  setThreadCount(static_cast<int>(state.range(1)));
+  const auto scene = static_cast<std::size_t>(state.range(0));
+  const Grid<float> level = levelOfScene(scene);
+  constexpr double kForever = std::numeric_limits<double>::infinity();
+  double distanceTime = kForever, lightTime = kForever;
+  for (auto _ : state) {
+    SweptFields fields;
+    distanceTime =
+        std::min(distanceTime, secondsOf([&] { fields = sweepOcclusion(level.view(), {.visibility = kNone}); }));
+    const double seconds = secondsOf([&] {
+      const OctantVisibility visibility = sweepVisibility(std::as_const(fields.distance).view(), storage);
+      benchmark::ClobberMemory();
+    });
+    lightTime = std::min(lightTime, seconds);
+    state.SetIterationTime(seconds);
+  }
+  state.SetLabel(std::string(kScenes[scene]));
+  state.counters["of_distance"] = lightTime / distanceTime;
+  setThreadCount(0);
+}
+void sceneOctants(benchmark::State& state) { lightOfScene(state, VisibilityStorage::rgba8); }
+void sceneMean(benchmark::State& state) { lightOfScene(state, VisibilityStorage::combined); }
+
 void plainLoops(benchmark::State& state) {
   const Ball ball = makeBall(sizeOf(state));
   std::vector<float> distance;
@@ -117,6 +169,8 @@ BENCHMARK(bandAlone)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealT
 BENCHMARK(lightAlone)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(eightOctants)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(oneNumber)->Apply(tableSizes)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(sceneOctants)->ArgsProduct({{0, 1, 2, 3}, {1, 2}})->Unit(benchmark::kMillisecond)->UseManualTime();
+BENCHMARK(sceneMean)->ArgsProduct({{0, 1, 2, 3}, {1, 2}})->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(plainLoops)->Args({100, 100, 100, 1})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace

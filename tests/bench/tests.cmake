@@ -1,7 +1,7 @@
 if(ISOLUME_BUILD_BENCHMARKS)
   find_package(benchmark REQUIRED)
   add_executable(bench_sweep bench/sweep_bench.cpp support/plain_start.cpp support/plain_sweep.cpp)
-  target_link_libraries(bench_sweep PRIVATE isolume_sweep)
+  target_link_libraries(bench_sweep PRIVATE isolume_sweep isolume_volumes)
   add_executable(bench_frame bench/frame_bench.cpp)
   target_link_libraries(bench_frame PRIVATE isolume_raymarch isolume_volumes)
   add_executable(bench_reference bench/reference_bench.cpp)
