@@ -13,12 +13,12 @@ glm::ivec3 CapFeet::Rows::sample(int i, int row) const {
 }
 
 // False beyond the face.
-bool CapFeet::isSolid(const Rows& rows, int i, int row) const {
-  const glm::ivec3 sample = rows.sample(i, row);
-  return solid_.test(sample.x, sample.y, sample.z);
+bool CapFeet::Rows::isSolid(const BitGrid& solid, int i, int row) const {
+  const glm::ivec3 at = sample(i, row);
+  return solid.test(at.x, at.y, at.z);
 }
 
-CapFeet::CapFeet(const BitGrid& solid) : solid_(solid) {
+CapFeet::CapFeet(const BitGrid& solid) {
   for (int f = 0; f < kFaceCount; ++f) {
     Rows& rows = faces_[static_cast<std::size_t>(f)];
     rows.face = faceOf(f);
@@ -29,7 +29,7 @@ CapFeet::CapFeet(const BitGrid& solid) : solid_(solid) {
     rows.rows = solid.size()[rows.across];
     rows.first.resize(static_cast<std::size_t>(rows.rows));
     parallelFor(rows.first.size(), [&](std::size_t row) {
-      for (int i = 0; i < rows.length; ++i) rows.first[row] += isSolid(rows, i, static_cast<int>(row)) ? 1 : 0;
+      for (int i = 0; i < rows.length; ++i) rows.first[row] += rows.isSolid(solid, i, static_cast<int>(row)) ? 1 : 0;
     });
     for (std::size_t& first : rows.first) {
       const std::size_t own = first;
@@ -39,29 +39,30 @@ CapFeet::CapFeet(const BitGrid& solid) : solid_(solid) {
   }
 }
 
-void CapFeet::write(SurfaceFoot* feet) const {
+void CapFeet::write(const BitGrid& solid, SurfaceFoot* feet) const {
   for (const Rows& rows : faces_) {
     glm::vec3 normal{0};
     normal[rows.face.axis] = rows.face.side == 0 ? -1.0F : 1.0F;
     for (int row = 0; row < rows.rows; ++row)
       for (int i = 0; i < rows.length; ++i)
-        if (isSolid(rows, i, row)) *feet++ = {glm::vec3(rows.sample(i, row)), normal};
+        if (rows.isSolid(solid, i, row)) *feet++ = {glm::vec3(rows.sample(i, row)), normal};
   }
 }
 
-void CapFeet::spreadRow(const Rows& rows, int row, const std::uint16_t* values, SurfaceField& field) const {
+void CapFeet::spreadRow(const BitGrid& solid, const Rows& rows, int row, const std::uint16_t* values,
+                        SurfaceField& field) {
   const std::uint16_t* next = values + rows.first[static_cast<std::size_t>(row)];
   for (int i = 0; i < rows.length; ++i)
-    if (isSolid(rows, i, row)) field.cap(rows.face, rows.sample(i, row)) = *next++;
+    if (rows.isSolid(solid, i, row)) field.cap(rows.face, rows.sample(i, row)) = *next++;
 }
 
-void CapFeet::fillRow(const Rows& rows, int row, SurfaceField& field) const {
+void CapFeet::fillRow(const BitGrid& solid, const Rows& rows, int row, SurfaceField& field) {
   for (int i = 0; i < rows.length; ++i) {
-    if (isSolid(rows, i, row)) continue;
+    if (rows.isSolid(solid, i, row)) continue;
     unsigned sum = 0, count = 0;
     for (int k = 0; k < 9; ++k) {
       const int beside = i + k % 3 - 1, other = row + k / 3 - 1;
-      if (beside < 0 || other < 0 || beside >= rows.length || other >= rows.rows || !isSolid(rows, beside, other))
+      if (beside < 0 || other < 0 || beside >= rows.length || other >= rows.rows || !rows.isSolid(solid, beside, other))
         continue;
       sum += field.cap(rows.face, rows.sample(beside, other));
       ++count;
@@ -70,11 +71,11 @@ void CapFeet::fillRow(const Rows& rows, int row, SurfaceField& field) const {
   }
 }
 
-void CapFeet::spread(const std::uint16_t* values, SurfaceField& field) const {
+void CapFeet::spread(const BitGrid& solid, const std::uint16_t* values, SurfaceField& field) const {
   for (const Rows& rows : faces_) {
     const auto count = static_cast<std::size_t>(rows.rows);
-    parallelFor(count, [&](std::size_t row) { spreadRow(rows, static_cast<int>(row), values, field); });
-    parallelFor(count, [&](std::size_t row) { fillRow(rows, static_cast<int>(row), field); });
+    parallelFor(count, [&](std::size_t row) { spreadRow(solid, rows, static_cast<int>(row), values, field); });
+    parallelFor(count, [&](std::size_t row) { fillRow(solid, rows, static_cast<int>(row), field); });
   }
 }
 

@@ -15,15 +15,15 @@ struct SurfaceFoot;
 
 class CapFeet {
  public:
-  /// Borrows the solid samples. 4 bytes per row of a face.
+  /// 8 bytes per row of a face. The solid samples are to be the same in every call.
   explicit CapFeet(const BitGrid& solid);
 
   std::size_t count() const { return count_; }
   /// In the order of faces, then of samples, x fastest.
-  void write(SurfaceFoot* feet) const;
+  void write(const BitGrid& solid, SurfaceFoot* feet) const;
   /// The value of each foot to its face, and to samples outside beside them the mean of those among the 8 around in the
   /// face. Threaded.
-  void spread(const std::uint16_t* values, SurfaceField& field) const;
+  void spread(const BitGrid& solid, const std::uint16_t* values, SurfaceField& field) const;
 
  private:
   /// Samples of a face as rows: along the first of its other axes, beside each other along the second.
@@ -34,12 +34,12 @@ class CapFeet {
     int length = 0, rows = 0;
     std::vector<std::size_t> first;  // foot of each row
     glm::ivec3 sample(int i, int row) const;
+    bool isSolid(const BitGrid& solid, int i, int row) const;
   };
-  bool isSolid(const Rows& rows, int i, int row) const;
-  void spreadRow(const Rows& rows, int row, const std::uint16_t* values, SurfaceField& field) const;
-  void fillRow(const Rows& rows, int row, SurfaceField& field) const;
+  static void spreadRow(const BitGrid& solid, const Rows& rows, int row, const std::uint16_t* values,
+                        SurfaceField& field);
+  static void fillRow(const BitGrid& solid, const Rows& rows, int row, SurfaceField& field);
 
-  const BitGrid& solid_;
   std::array<Rows, kFaceCount> faces_;
   std::size_t count_ = 0;
 };

@@ -26,7 +26,7 @@ std::vector<std::uint16_t> opennessOf(const std::vector<float>& blockedShares) {
 }
 
 SurfaceField sweepOpenness(GridView<const float> level, GridView<const float> distance,
-                                  const OrdinateOptions& options) {
+                           const OrdinateOptions& options) {
   assert(options.refinement >= 1 && options.refinement <= kMostRefinement);
   SurfaceRays rays(level, distance, options.refinement, SurfaceRays::Orders::remade);
   const std::vector<std::uint16_t> openness = opennessOf(blockedShares(rays, options.ordinates));

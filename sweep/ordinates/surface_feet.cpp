@@ -38,7 +38,7 @@ SurfaceFeet::SurfaceFeet(GridView<const float> level, GridView<const float> dist
       std::copy(feet.begin(), feet.end(), feet_.begin() + firstFoot_[rowIndex(y, z)]);
     }
   });
-  caps_.write(feet_.data() + count);
+  caps_.write(solid_, feet_.data() + count);
 }
 
 template <class Visit>
@@ -202,7 +202,7 @@ SurfaceField SurfaceFeet::spread(const std::vector<std::uint16_t>& values,
     for (int y = 0; y < solid_.size().y; ++y)
       forEachBit(filled_.row(y, z), filled_.words(), [&](int x) { field.wall({x, y, z}) = *next++; });
   });
-  caps_.spread(values.data() + (feet_.size() - caps_.count()), field);
+  caps_.spread(solid_, values.data() + (feet_.size() - caps_.count()), field);
   return field;
 }
 
