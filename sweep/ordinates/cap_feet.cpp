@@ -14,8 +14,8 @@ glm::ivec3 CapFeet::Rows::sample(int i, int row) const {
 
 // False beyond the face.
 bool CapFeet::Rows::isSolid(const BitGrid& solid, int i, int row) const {
-  const glm::ivec3 at = sample(i, row);
-  return solid.test(at.x, at.y, at.z);
+  const glm::ivec3 place = sample(i, row);
+  return solid.test(place.x, place.y, place.z);
 }
 
 CapFeet::CapFeet(const BitGrid& solid) {

@@ -155,12 +155,12 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
         size * static_cast<std::int32_t>(slotOf(layer + towards * j) * rays.layerSize() + rays.placeOf(0));
   const auto stride = hn::Set(di, rays.stride());
   const Within withinRows(1, lattice.rows), withinColumns(1, lattice.length);
-  const float perVoxel = 1 / std::min({lattice.cellBit, lattice.cellRow, lattice.cellLayer});
+  const float voxel = std::min({lattice.cellBit, lattice.cellRow, lattice.cellLayer}), perVoxel = 1 / voxel;
   const auto add = [&](std::int32_t* to, FloatVec value, float scale) {
     hn::StoreU(hn::Add(hn::LoadU(di, to), hn::NearestInt(hn::Mul(value, hn::Set(d, scale)))), di, to);
   };
   for (std::size_t i = begin; i < end; i += hn::Lanes(d)) {
-    const PointVector point(lattice, points, layer, i, end);
+    const PointVector point(lattice, points, layer, i, end, kLength ? kShareBlur * voxel : 0.0F);
     const auto cosine = point.cosine(direction);
     const auto facing = hn::And(hn::Gt(cosine, hn::Zero(d)), point.inRange);
     const auto wanted = kLength ? point.inRange : facing;
@@ -178,7 +178,7 @@ void readCarried(const LatticeLayers& lattice, int towards, const RayDirection& 
       auto layers = hn::Mul(hn::ConvertTo(d, state), hn::Set(d, 1.0F / kSolidShare));
       // Those who look inwards: from the surface to the nearer edge of the next layer, and what the shares of the
       // layers that follow lack, since the surface that cuts them is the one that the ray starts from.
-      const auto start = hn::Mul(at.ahead, hn::Set(d, static_cast<float>(towards)));
+      const auto start = hn::Mul(point.ahead, hn::Set(d, static_cast<float>(towards)));
       const auto depthPerLayer = hn::Mul(slope, hn::Set(d, direction.risePerCosine * perVoxel));
       auto own = hn::Sub(start, hn::Set(d, 0.5F));
       for (int j = 0; j < kShareLayers; ++j) {

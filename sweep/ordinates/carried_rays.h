@@ -25,6 +25,8 @@ namespace isolume {
 
 /// Values of 8 bits are at most this; solid shares are whole at kSolidShare.
 inline constexpr int kLargestCarried = 254, kSolidShare = 16;
+/// Solid shares end that far above the surface, in units of the smallest spacing: rays must have risen so much more.
+inline constexpr float kShareBlur = 0.5F;
 
 /// What a sweep of carried rays adds up for point i, into sums[i] (int32, rounded as sheared_rays.h has it):
 ///   nearest  scale * sum of max(N . w, 0) R over the directions;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "sweep/parallel.h"
 
@@ -12,26 +11,6 @@ namespace {
 // Facing all rays of one sense, mixed, facing all of the other. Mixed ones by their normals: how much of them is along
 // the layers' axis, and where the rest points, by thirds of quarters.
 constexpr std::size_t kTilts = 4, kTurns = 12, kKinds = 2 + kTilts * kTurns, kChunk = 1 << 15;
-
-struct LiftedPosition {
-  glm::dvec3 perNormal{0};  // lattice points per component of the normal
-  glm::dvec3 cell{1};       // of the lattice, world units
-  double refinement = 1;
-  glm::vec3 low{0}, high{0};
-
-  LiftedPosition(const SolidLattice& lattice, glm::dvec3 spacing)
-      : cell(spacing / static_cast<double>(lattice.refinement)), refinement(lattice.refinement) {
-    perNormal = 1.0 / cell;
-    low = glm::vec3(-kBeyondLattice);
-    high = glm::vec3(lattice.size - 1) + kBeyondLattice;
-  }
-  glm::vec3 operator()(const SurfaceFoot& foot) const {
-    const glm::dvec3 normal(foot.normal);
-    const double width = glm::dot(glm::abs(normal), cell);
-    const glm::dvec3 at = glm::dvec3(foot.position) * refinement + kLift * width * normal * perNormal;
-    return glm::clamp(glm::vec3(at), low, high);
-  }
-};
 
 // `cell` and the normal in the order of the axes. From layer to layer a ray moves by one point at most along either of
 // the other axes: where the normal's part along the layers outweighs the other two, all rays of a sense are on one
@@ -60,28 +39,17 @@ RayPoints::RayPoints(std::size_t count)
   for (int i = 0; i < 6; ++i) std::fill_n(values(i) + count, kRayPadding, 0.0F);
 }
 
-std::vector<glm::vec3> liftedFeet(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice,
-                                  glm::dvec3 spacing) {
-  const LiftedPosition positionOf(lattice, spacing);
-  std::vector<glm::vec3> lifted(feet.size());
-  parallelFor((feet.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-    for (std::size_t i = chunk * kChunk; i < std::min((chunk + 1) * kChunk, feet.size()); ++i)
-      lifted[i] = positionOf(feet[i]);
-  });
-  return lifted;
-}
-
-void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const std::vector<glm::vec3>& lifted,
-                     const SolidLattice& lattice, glm::dvec3 spacing, int axis) {
+void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis) {
   const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
   const int layers = lattice.size[axis];
   const auto ordered = [axes](glm::vec3 v) { return glm::vec3(v[axes.bit], v[axes.row], v[axes.layer]); };
   const glm::vec3 cell = ordered(glm::vec3(spacing));
+  const auto scale = static_cast<float>(lattice.refinement);
   const auto keyOf = [&](std::size_t foot) {
-    const int layer = std::clamp(static_cast<int>(std::floor(lifted[foot][axis])), -1, layers - 1) + 1;
+    const int layer = std::clamp(static_cast<int>(feet[foot].position[axis] * scale), 0, layers - 1);
     return static_cast<std::size_t>(layer) * kKinds + kindOf(ordered(feet[foot].normal), cell);
   };
-  const std::size_t keys = static_cast<std::size_t>(layers + 1) * kKinds;
+  const std::size_t keys = static_cast<std::size_t>(layers) * kKinds;
   const std::size_t chunks = (feet.size() + kChunk - 1) / kChunk;
   std::vector<std::vector<std::uint32_t>> next(chunks);
   const auto forEach = [&](std::size_t chunk, const auto& visit) {
@@ -92,7 +60,7 @@ void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const std::vector<glm
     next[chunk].assign(keys, 0);
     forEach(chunk, [&](std::size_t i) { ++next[chunk][keyOf(i)]; });
   });
-  layerBegin_.assign(static_cast<std::size_t>(layers) + 2, feet.size());
+  layerBegin_.assign(static_cast<std::size_t>(layers) + 1, feet.size());
   std::uint32_t begin = 0;
   for (std::size_t key = 0; key < keys; ++key) {
     if (key % kKinds == 0) layerBegin_[key / kKinds] = begin;
@@ -105,7 +73,7 @@ void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const std::vector<glm
   parallelFor(chunks, [&](std::size_t chunk) {
     forEach(chunk, [&](std::size_t i) {
       const std::size_t to = next[chunk][keyOf(i)]++;
-      const glm::vec3 position = ordered(lifted[i]), normal = ordered(feet[i].normal);
+      const glm::vec3 position = ordered(feet[i].position * scale), normal = ordered(feet[i].normal);
       for (int k = 0; k < 3; ++k) {
         values(k)[to] = position[k];
         values(3 + k)[to] = normal[k];

@@ -17,19 +17,12 @@ struct RayAxes {
 /// For rays along each axis: by layers of x, y, z.
 inline constexpr std::array<RayAxes, 3> kRayAxes{{{1, 2, 0}, {0, 2, 1}, {0, 1, 2}}};
 
-/// In widths of a lattice cell along a point's normal: how far it is lifted off the surface, and how high over the
-/// surface's plane a ray must be before what it meets counts (sheared_rays.h).
-inline constexpr float kLift = 0.1F, kClearance = 1;
-
-/// Positions lie at most that far beyond the lattice, in its points.
-inline constexpr float kBeyondLattice = 1.9F;
+/// In steps of a layer's lattice points along a point's normal, |N_b| c_b + |N_r| c_r with the cell c: how high over
+/// the surface's plane a ray must be before what it meets counts (sheared_rays.h). One step, and more than rounding.
+inline constexpr float kClearance = 1.001F;
 
 /// Lanes of the widest vector: what lies that far beyond the last point is read, and never counts.
 inline constexpr std::size_t kRayPadding = 64;
-
-/// The feet lifted along their normals by kLift, in points of the lattice: 12 bytes each. Threaded.
-std::vector<glm::vec3> liftedFeet(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice,
-                                  glm::dvec3 spacing);
 
 /// 28 bytes per point. The six arrays of numbers are longer than `count` by kRayPadding.
 class RayPoints {
@@ -39,10 +32,9 @@ class RayPoints {
 
   /// Points in groups of a layer (that at or below them), and within a layer those that face every ray along the axis
   /// in one sense, or none, and the others by how their normals tilt and turn: so those that face away from a
-  /// direction stand together. Positions are `lifted`, of liftedFeet(). A counting sort in fixed chunks: the order does
-  /// not depend on the number of threads. Threaded.
-  void sort(const std::vector<SurfaceFoot>& feet, const std::vector<glm::vec3>& lifted, const SolidLattice& lattice,
-            glm::dvec3 spacing, int axis);
+  /// direction stand together. A counting sort in fixed chunks: the order does not depend on the number of threads.
+  /// Threaded.
+  void sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis);
 
   std::size_t count() const { return count_; }
   const float* bit() const { return values(0); }  ///< position, lattice points
@@ -52,8 +44,8 @@ class RayPoints {
   const float* normalRow() const { return values(4); }
   const float* normalLayer() const { return values(5); }
   const std::uint32_t* foot() const { return feet_.get(); }  ///< number of each point's foot
-  /// The points of a layer are [begin(layer), begin(layer + 1)); layer -1 holds those before the first.
-  std::size_t begin(int layer) const { return layerBegin_[static_cast<std::size_t>(layer + 1)]; }
+  /// The points of a layer are [begin(layer), begin(layer + 1)); layer -1 has none.
+  std::size_t begin(int layer) const { return layer < 0 ? 0 : layerBegin_[static_cast<std::size_t>(layer)]; }
 
  private:
   float* values(int i) const { return values_.get() + static_cast<std::size_t>(i) * stride_; }

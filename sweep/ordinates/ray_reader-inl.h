@@ -66,28 +66,29 @@ HWY_INLINE FloatVec chosen(const PerSkip<float>& value, const TooLow& low) {
 struct PointVector {
   FloatVec bit, row, ahead, distance;  // ahead: layers to the one that is read, and how far that is
   FloatVec normalBit, normalRow, normalLayer, toClear;
-  FloatVec liftBit, liftRow, liftLayer;  // lattice points per world unit along the normal
+  FloatVec liftBit, liftRow;  // lattice points within the layer per world unit that a ray gains in height
   FloatMask inRange;
 
-  PointVector(const LatticeLayers& lattice, const RayPoints& points, int layer, std::size_t i, std::size_t end) {
+  // `blur`: what lies that high above the surface counts in part, world units.
+  PointVector(const LatticeLayers& lattice, const RayPoints& points, int layer, std::size_t i, std::size_t end,
+              float blur = 0) {
     const FloatTag d;
-    const auto farthest = hn::Set(d, kBeyondLattice);
+    const auto one = hn::Set(d, 1.0F);
     ahead = hn::Min(
-        hn::Max(hn::Sub(hn::Set(d, static_cast<float>(layer)), hn::LoadU(d, points.layer() + i)), hn::Neg(farthest)),
-        farthest);
+        hn::Max(hn::Sub(hn::Set(d, static_cast<float>(layer)), hn::LoadU(d, points.layer() + i)), hn::Neg(one)), one);
     distance = hn::Abs(ahead);
     bit = hn::LoadU(d, points.bit() + i);
     row = hn::LoadU(d, points.row() + i);
     normalBit = hn::LoadU(d, points.normalBit() + i);
     normalRow = hn::LoadU(d, points.normalRow() + i);
     normalLayer = hn::LoadU(d, points.normalLayer() + i);
-    const auto width = hn::Add(hn::Add(hn::Mul(hn::Abs(normalBit), hn::Set(d, lattice.cellBit)),
-                                       hn::Mul(hn::Abs(normalRow), hn::Set(d, lattice.cellRow))),
-                               hn::Mul(hn::Abs(normalLayer), hn::Set(d, lattice.cellLayer)));
-    toClear = hn::Mul(width, hn::Set(d, kClearance - kLift));
-    liftBit = hn::Mul(normalBit, hn::Set(d, 1 / lattice.cellBit));
-    liftRow = hn::Mul(normalRow, hn::Set(d, 1 / lattice.cellRow));
-    liftLayer = hn::Mul(normalLayer, hn::Set(d, 1 / lattice.cellLayer));
+    const auto perBit = hn::Mul(normalBit, hn::Set(d, lattice.cellBit));
+    const auto perRow = hn::Mul(normalRow, hn::Set(d, lattice.cellRow));
+    toClear = hn::Add(hn::Mul(hn::Add(hn::Abs(perBit), hn::Abs(perRow)), hn::Set(d, kClearance)), hn::Set(d, blur));
+    const auto steepest =
+        hn::Max(hn::Add(hn::Mul(perBit, perBit), hn::Mul(perRow, perRow)), hn::Set(d, kSmallestSquare));
+    liftBit = hn::Div(perBit, steepest);
+    liftRow = hn::Div(perRow, steepest);
     inRange = hn::FirstN(d, std::min(hn::Lanes(d), end - i));
   }
 
@@ -102,12 +103,11 @@ struct PointVector {
 // layers on it counts, along the digital line.
 struct RayPlace {
   FloatVec column, row;
-  FloatVec ahead;  // layers from where the ray starts to the one that is read
   TooLow low;
 };
 
-// The ray rises: others have any place. With kBothWays those that are not among `rises` look into the solid: from the
-// surface itself, without the lift of the points, and into the next layer.
+// The ray rises: others have any place. With kBothWays those that are not among `rises` look into the solid, into the
+// next layer.
 template <bool kBothWays>
 HWY_INLINE RayPlace placeOnRay(const PointVector& point, const RayDirection& to, const RayStep& step, FloatVec cosine,
                                FloatMask rises) {
@@ -116,19 +116,18 @@ HWY_INLINE RayPlace placeOnRay(const PointVector& point, const RayDirection& to,
   RayPlace place;
   auto height = hn::Mul(rise, point.distance);
   for (int j = 0; j < kMostSkipped; ++j) {
-    place.low.in[j] = hn::Lt(height, point.toClear);
+    place.low.in[j] = hn::Le(height, point.toClear);
     height = hn::Add(height, rise);
   }
-  // What is still missing after these layers, the ray is lifted by along the normal.
+  // What is still missing after these layers, the ray is lifted by, the shortest way within the layer.
   auto missing = hn::Max(hn::Sub(point.toClear, height), hn::Zero(d));
   if constexpr (kBothWays) {
     for (FloatMask& low : place.low.in) low = hn::And(low, rises);
-    missing = hn::IfThenElse(rises, missing, hn::Mul(point.toClear, hn::Set(d, -kLift / (kClearance - kLift))));
+    missing = hn::IfThenElseZero(rises, missing);
   }
-  place.ahead = hn::Sub(point.ahead, hn::Mul(missing, point.liftLayer));
   const auto placeOf = [&](FloatVec at, float lag, float slope, FloatVec lift) {
     const auto lifted = hn::Add(hn::Sub(at, hn::Set(d, lag)), hn::Mul(missing, lift));
-    return hn::Add(hn::Add(lifted, hn::Mul(place.ahead, hn::Set(d, slope))), hn::Set(d, kToWhole));
+    return hn::Add(hn::Add(lifted, hn::Mul(point.ahead, hn::Set(d, slope))), hn::Set(d, kToWhole));
   };
   place.column = placeOf(point.bit, step.lagBit, step.slopeBit, point.liftBit);
   place.row = placeOf(point.row, step.lagRow, step.slopeRow, point.liftRow);

@@ -10,6 +10,8 @@ namespace isolume {
 
 inline constexpr int kMostSkipped = 3;                ///< layers that a reading may go on
 inline constexpr int kKeptLayers = kMostSkipped + 1;  ///< so many are kept
+/// Of a normal's parts within a layer, squared: where they are less, nothing needs to be lifted.
+inline constexpr float kSmallestSquare = 1e-30F;
 /// A number for each of the layers that a reading may be of. Aligned for vectors that hold it once or several times.
 template <class T>
 struct alignas(16) PerSkip : std::array<T, kMostSkipped + 1> {};

@@ -9,12 +9,12 @@
 // which is a shift by at most one bit and one row, an OR and nothing else. Beyond the lattice all is open.
 // A point q between two layers takes the ray that passes closest to it in the next layer towards the light. It strays
 // from the true one by at most one lattice point along each of the two axes: half by the choice of the ray, half by its
-// rounding. So a plane through q, whose lattice points form steps, may block rays that truly leave it: until the ray is
-// higher over the plane than the width of a cell along the normal. The point is lifted by kLift of that, and what is
-// met before the ray has risen to kClearance of it is not asked for: B is read up to three layers on, and what a ray is
-// still too low then, it is lifted by. So a plane never darkens itself, and light almost along a surface passes what is
-// next to it and thinner than three points. Against a lift by .7 alone, on betaGal.mrc (100^3, refinement 1), RMSE
-// falls from .036 to .024.
+// rounding. So a plane through q, whose lattice points form steps, may block rays that truly leave it, until the ray is
+// higher over the plane than one step along both axes, |N_b| c_b + |N_r| c_r with the cell c (kClearance of it: layers
+// are met where they are, so N_layer adds nothing). What is met before is not asked for: B is read up to three layers
+// on, and what a ray is still too low then, it is lifted by, within the layer along the plane's steepest way: by at
+// most sqrt(2) points. So a plane never darkens itself, and light almost along a surface passes what is next to it and
+// thinner than three points (docs/occlusion-study.md compares rules).
 //
 // Cost: per vector of lattice points and ordinate three loads, two shifts, an OR, an AND and a store; per point and
 // ordinate that faces it a gathered word and some forty operations, in SIMD lanes of points. State: four layers of
@@ -31,8 +31,8 @@
 
 namespace isolume {
 
-/// Bits of a layer, rows rounded up and with kMostBeyond rows more, must be fewer: then rows and columns are below 2^22,
-/// up to which floats are rounded by an addition, and four layers have fewer than 2^31.
+/// Bits of a layer, rows rounded up and with kMostBeyond rows more, must be fewer: then rows and columns are below
+/// 2^22, up to which floats are rounded by an addition, and four layers have fewer than 2^31.
 inline constexpr std::size_t kMostLayerBits = std::size_t{1} << 24;
 inline constexpr int kMostBeyond = 8;
 

@@ -49,22 +49,18 @@ std::vector<RayGroup> rayGroups(int axis, const std::vector<Ordinate>& ordinates
 SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> distance, int refinement, Orders orders)
     : spacing_(level.spacing),
       surface_(level, distance),
-      lattice_(makeSolidLattice(level, surface_.solid(), refinement)),
-      lifted_(liftedFeet(surface_.feet(), lattice_, spacing_)) {
+      lattice_(makeSolidLattice(level, surface_.solid(), refinement)) {
   for (int axis = 0; axis < 3; ++axis) {
     const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
     if (voxelCount({layers.words * kWordBits, layers.rows + kMostBeyond, 1}) >= kMostLayerBits)
       throw std::length_error("openness: expected layers of fewer than 2^24 lattice points: take refinement 1");
   }
   if (orders == Orders::remade) return;
-  for (int axis = 0; axis < 3; ++axis)
-    kept_.emplace_back(count()).sort(surface_.feet(), lifted_, lattice_, spacing_, axis);
-  lifted_ = {};
+  for (int axis = 0; axis < 3; ++axis) kept_.emplace_back(count()).sort(surface_.feet(), lattice_, spacing_, axis);
 }
 
 SurfaceFeet SurfaceRays::takeSurface() && {
   lattice_ = {};
-  lifted_ = {};
   kept_.clear();
   return std::move(surface_);
 }
@@ -72,7 +68,7 @@ SurfaceFeet SurfaceRays::takeSurface() && {
 // The order for an axis: a kept one, or one that is made in `room`.
 const RayPoints& SurfaceRays::ordered(int axis, RayPoints& room) const {
   if (!kept_.empty()) return kept_[static_cast<std::size_t>(axis)];
-  room.sort(surface_.feet(), lifted_, lattice_, spacing_, axis);
+  room.sort(surface_.feet(), lattice_, spacing_, axis);
   return room;
 }
 

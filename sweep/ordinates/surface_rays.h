@@ -2,7 +2,7 @@
 // sweeps over directions of any kind: the sky, a map, a disc.
 //
 // Memory: surface_feet.h and solid_lattice.h; per foot 84 bytes for the three orders of points (ray_points.h) where
-// they are kept, and 12 bytes, and 28 more while a sweep runs, where they are remade; while a sweep runs 4 bytes per
+// they are kept, and 28 while a sweep runs where they are remade; while a sweep runs 4 bytes per
 // foot and channel, and 4 more for each thread. Sweeps are threaded, bitwise the same for any number of threads and any
 // SIMD width.
 #pragma once
@@ -71,8 +71,7 @@ class SurfaceRays {
   glm::dvec3 spacing_;
   SurfaceFeet surface_;
   SolidLattice lattice_;
-  std::vector<glm::vec3> lifted_;  // where no orders are kept
-  std::vector<RayPoints> kept_;    // by axis
+  std::vector<RayPoints> kept_;  // by axis
 };
 
 }  // namespace isolume

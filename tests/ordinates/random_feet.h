@@ -9,11 +9,11 @@
 
 namespace isolume::test {
 
-/// Up to 3 samples beyond a grid of that size; every third at whole or half samples, every ninth without a normal.
+/// Within a grid of that size; every third at whole or half samples, on the border too, every ninth without a normal.
 inline std::vector<SurfaceFoot> randomFeet(glm::ivec3 size, int count, RandomNumbers& numbers) {
   std::vector<SurfaceFoot> feet;
   for (int i = 0; i < count; ++i) {
-    glm::dvec3 position = numbers.inCube() * (glm::dvec3(size) + 5.0) - 3.0;
+    glm::dvec3 position = numbers.inCube() * (glm::dvec3(size) - 1.0);
     if (i % 3 == 0) position = glm::round(position * 2.0) / 2.0;
     feet.push_back({glm::vec3(position), i % 9 == 4 ? glm::vec3(0) : glm::vec3(numbers.direction())});
   }

@@ -21,15 +21,15 @@ SolidLattice latticeOf(glm::ivec3 size, int refinement) {
 }
 
 TEST(RayPoints, HoldEachFootOnceInTheGroupOfItsLayer) {
-  // Each foot stands once, in the group of the layer at or below its point; the point is the foot lifted in world units
-  // by its share of the lattice cell, and at most 1.9 points beyond the lattice.
+  // Each foot stands once, in the group of the layer at or below its point; the point is the foot in points
+  // of the lattice.
   test::RandomNumbers numbers(3);
   for (const int refinement : {1, 2}) {
     const SolidLattice lattice = latticeOf({9, 5, 7}, refinement);
     const std::vector<SurfaceFoot> feet = test::randomFeet({9, 5, 7}, 2000, numbers);
     RayPoints points(feet.size());
     for (int axis = 0; axis < 3; ++axis) {
-      points.sort(feet, liftedFeet(feet, lattice, kSpacing), lattice, kSpacing, axis);
+      points.sort(feet, lattice, kSpacing, axis);
       const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
       ASSERT_EQ(axes.layer, axis);
       std::vector<int> seen(feet.size());
@@ -40,10 +40,7 @@ TEST(RayPoints, HoldEachFootOnceInTheGroupOfItsLayer) {
         for (; at < points.begin(layer + 1); ++at) {
           const SurfaceFoot& foot = feet[points.foot()[at]];
           ++seen[points.foot()[at]];
-          const glm::dvec3 normal(foot.normal), cell = kSpacing / static_cast<double>(refinement);
-          const double width = glm::dot(glm::abs(normal), cell);
-          const glm::dvec3 lifted = glm::dvec3(foot.position) * kSpacing + double{kLift} * width * normal;
-          const glm::dvec3 want = glm::clamp(lifted / cell, glm::dvec3(-1.9), glm::dvec3(lattice.size - 1) + 1.9);
+          const glm::dvec3 want = glm::dvec3(foot.position) * static_cast<double>(refinement);
           const glm::dvec3 got(points.bit()[at], points.row()[at], points.layer()[at]);
           constexpr double kRounding = 1e-5;
           ASSERT_NEAR(got.x, want[axes.bit], kRounding);
@@ -72,9 +69,9 @@ TEST(RayPoints, OrderDoesNotDependOnThreads) {
   const std::vector<SurfaceFoot> feet = test::randomFeet({12, 11, 10}, 100000, numbers);
   RayPoints one(feet.size()), four(feet.size());
   setThreadCount(1);
-  one.sort(feet, liftedFeet(feet, lattice, kSpacing), lattice, kSpacing, 1);
+  one.sort(feet, lattice, kSpacing, 1);
   setThreadCount(4);
-  four.sort(feet, liftedFeet(feet, lattice, kSpacing), lattice, kSpacing, 1);
+  four.sort(feet, lattice, kSpacing, 1);
   setThreadCount(0);
   EXPECT_EQ(std::memcmp(one.foot(), four.foot(), feet.size() * sizeof(std::uint32_t)), 0);
   EXPECT_EQ(std::memcmp(one.bit(), four.bit(), feet.size() * sizeof(float)), 0);

@@ -32,9 +32,9 @@ TEST(SurfaceRays, OrdersThatAreRemadeChangeNoBit) {
       }
     std::vector<std::uint16_t> values(remade.count());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::uint16_t>(i);
-    const Grid<std::uint16_t> want = scene.rays.surface().spread(values);
-    const Grid<std::uint16_t> got = std::move(remade).takeSurface().spread(values);
-    EXPECT_TRUE(std::equal(want.data(), want.data() + want.count(), got.data()));
+    const SurfaceField want = scene.rays.surface().spread(values);
+    const SurfaceField got = std::move(remade).takeSurface().spread(values);
+    EXPECT_TRUE(std::equal(want.padded().data, want.padded().data + want.padded().count(), got.padded().data));
   }
 }
 

@@ -25,15 +25,17 @@ std::vector<std::int32_t> plainCarried(const SolidLattice& lattice, glm::dvec3 s
                                        GridView<const std::uint8_t> met, const CarriedTally& tally) {
   const PlainLattice plain(lattice, spacing, axis);
   const bool lengths = tally.kind == CarriedTally::Kind::length;
+  const glm::vec3 cell(spacing);
+  const float voxel = std::min({cell.x, cell.y, cell.z});
   std::vector<std::int32_t> sums((lengths ? 2 : 1) * points.count(), 0);
   const auto rounded = [](float value, float scale) { return static_cast<std::int32_t>(std::lrint(value * scale)); };
   for (std::size_t i = 0; i < points.count(); ++i) {
-    const PlainPoint point(plain, points, i, towards);
+    const PlainPoint point(plain, points, i, towards, lengths ? kShareBlur * voxel : 0);
     for (const RayDirection& w : directions) {
       const float cosine = point.cosine(w), slope = std::abs(cosine);
       if (!lengths && !(cosine > 0)) continue;
       int first = kNothingMet, total = 0;
-      const PlainEntry entry = plainEntry(plain, point, towards, w);
+      const PlainEntry entry = plainEntry(point, towards, w);
       walkPlainRay(plain, entry, towards, w, [&](int bit, int row, int layer) {
         const glm::ivec3 p = plain.point(bit, row, layer);
         first = met(p.x, p.y, p.z);
@@ -47,10 +49,8 @@ std::vector<std::int32_t> plainCarried(const SolidLattice& lattice, glm::dvec3 s
       float layers = static_cast<float>(total) * (1.0F / kSolidShare);
       // From the surface to the nearer edge of the next layer, and what the shares of four layers lack.
       if (!(cosine > 0)) {
-        const glm::vec3 cell(spacing);
-        const float perVoxel = 1 / std::min({cell.x, cell.y, cell.z});
-        const float start = entry.ahead * static_cast<float>(towards);
-        const float depthPerLayer = slope * (w.risePerCosine * perVoxel);
+        const float start = point.ahead * static_cast<float>(towards);
+        const float depthPerLayer = slope * (w.risePerCosine * (1 / voxel));
         float own = start - 0.5F;
         for (int j = 0; j < 4; ++j) own += std::max(0.5F - depthPerLayer * (start + static_cast<float>(j)), 0.0F);
         layers = std::max(layers + own, 0.0F);

@@ -21,7 +21,7 @@ std::vector<std::int32_t> plainRays(const SolidLattice& lattice, glm::dvec3 spac
       const float cosine = point.cosine(w);
       if (!(cosine > 0)) continue;
       bool met = false;
-      walkPlainRay(plain, plainEntry(plain, point, towards, w), towards, w, [&](int bit, int row, int layer) {
+      walkPlainRay(plain, plainEntry(point, towards, w), towards, w, [&](int bit, int row, int layer) {
         met = plain.isSolid(bit, row, layer);
         return !met;
       });

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sweep/ordinates/ray_points.h"
+#include "sweep/ordinates/ray_step.h"
 #include "sweep/ordinates/sheared_rays.h"
 #include "sweep/ordinates/solid_lattice.h"
 
@@ -44,23 +45,25 @@ inline int plainOffset(double slope, int layer) { return static_cast<int>(std::f
 
 /// A point of a set and what does not depend on the direction.
 struct PlainPoint {
-  glm::vec3 at, normal;  ///< bit, row, layer
-  int layer = 0;         ///< the next one towards the light
-  float ahead = 0;       ///< how far that is, signed
-  float toClear = 0;     ///< height over the plane from which what is met counts
+  glm::vec3 at, normal;            ///< bit, row, layer
+  int layer = 0;                   ///< the next one towards the light
+  float ahead = 0;                 ///< how far that is, signed
+  float toClear = 0;               ///< height over the plane from which what is met counts
+  float liftBit = 0, liftRow = 0;  ///< lattice points within the layer per height gained
 
-  PlainPoint(const PlainLattice& plain, const RayPoints& points, std::size_t i, int towards)
+  PlainPoint(const PlainLattice& plain, const RayPoints& points, std::size_t i, int towards, float blur = 0)
       : at(points.bit()[i], points.row()[i], points.layer()[i]),
         normal(points.normalBit()[i], points.normalRow()[i], points.normalLayer()[i]) {
     // A point on a layer is past it on the way up, and stands on it on the way down; all points beyond the last layer
     // look at the first place beyond it.
     const int below = std::clamp(static_cast<int>(std::floor(at.z)), -1, plain.length(plain.axes.layer) - 1);
     layer = below + (towards > 0 ? 1 : 0);
-    ahead = std::clamp(static_cast<float>(layer) - at.z, -kBeyondLattice, kBeyondLattice);
-    const float widthBit = std::abs(normal.x) * plain.cell[plain.axes.bit],
-                widthRow = std::abs(normal.y) * plain.cell[plain.axes.row],
-                widthLayer = std::abs(normal.z) * plain.cell[plain.axes.layer];
-    toClear = ((widthBit + widthRow) + widthLayer) * (kClearance - kLift);
+    ahead = static_cast<float>(layer) - at.z;
+    const float perBit = normal.x * plain.cell[plain.axes.bit], perRow = normal.y * plain.cell[plain.axes.row];
+    toClear = (std::abs(perBit) + std::abs(perRow)) * kClearance + blur;
+    const float steepest = std::max(perBit * perBit + perRow * perRow, kSmallestSquare);
+    liftBit = perBit / steepest;
+    liftRow = perRow / steepest;
   }
   float cosine(const RayDirection& w) const {
     const float alongBit = normal.x * w.weightBit, alongRow = normal.y * w.weightRow,
@@ -72,33 +75,29 @@ struct PlainPoint {
 /// The first lattice point that counts.
 struct PlainEntry {
   int bit = 0, row = 0, layer = 0;
-  float ahead = 0;  ///< layers from where the ray starts to the point's next one
 };
 
 /// How a ray gets clear of the steps of its own plane: by layers that it goes by, 3 at most, and by what it is lifted;
-/// one that looks into the
-/// solid starts on the surface, without the lift of the points.
-inline PlainEntry plainEntry(const PlainLattice& plain, const PlainPoint& point, int towards, const RayDirection& w) {
+/// one that looks into the solid does not.
+inline PlainEntry plainEntry(const PlainPoint& point, int towards, const RayDirection& w) {
   const float cosine = point.cosine(w), rise = cosine * w.risePerCosine;
   int skips = 0;
-  float height = rise * std::abs(point.ahead), missing = point.toClear * (-kLift / (kClearance - kLift));
+  float height = rise * std::abs(point.ahead), missing = 0;
   if (cosine > 0) {
-    for (int j = 0; j < 3; ++j, height += rise) skips += height < point.toClear ? 1 : 0;
+    for (int j = 0; j < 3; ++j, height += rise) skips += height <= point.toClear ? 1 : 0;
     missing = std::max(point.toClear - height, 0.0F);
   }
-  const float left = point.ahead - missing * (point.normal.z * (1 / plain.cell[plain.axes.layer]));
   // The lattice point nearest to where the true ray, lifted, crosses the layer, of those that the digital lines cross;
   // from there along the digital line.
-  const auto entry = [&](float at, float normal, int axis, double slope) {
+  const auto entry = [&](float at, float lift, double slope) {
     const auto lag = static_cast<float>(slope * point.layer - plainOffset(slope, point.layer));
-    const float lifted = (at - lag) + missing * (normal * (1 / plain.cell[axis])),
-                along = left * static_cast<float>(slope);
+    const float lifted = (at - lag) + missing * lift, along = point.ahead * static_cast<float>(slope);
     const int read = point.layer + towards * skips;
     return static_cast<int>(std::nearbyint(lifted + along)) + plainOffset(slope, read) -
            plainOffset(slope, point.layer);
   };
-  return {entry(point.at.x, point.normal.x, plain.axes.bit, w.slopeBit),
-          entry(point.at.y, point.normal.y, plain.axes.row, w.slopeRow), point.layer + towards * skips, left};
+  return {entry(point.at.x, point.liftBit, w.slopeBit), entry(point.at.y, point.liftRow, w.slopeRow),
+          point.layer + towards * skips};
 }
 
 /// visit(bit, row, layer) along the digital line from an entry on, until it returns false or the line leaves the
