@@ -73,8 +73,10 @@ class Dither {
   }
   // From the step on that comes `step`-th.
   HWY_INLINE void start(int step) {
-    const int phase = ((phase_ + step) % kCycle + kCycle) % kCycle;
-    for (int i = 0; i < kCycle; ++i) turns_[i] = hn::Set(LightTag(), valueAt((phase + i) % kCycle));
+    const int turn = ((phase_ + step) % kCycle + kCycle) % kCycle;
+    turns_[0] = valueAt(turn);
+    turns_[1] = valueAt((turn + 1) % kCycle);
+    turns_[2] = valueAt((turn + 2) % kCycle);
   }
   HWY_INLINE LightVec of(int plane) const { return turns_[plane]; }
   HWY_INLINE void next() {
@@ -88,9 +90,9 @@ class Dither {
   static constexpr int kCycle = 3;
   static_assert(kFixedPlanes <= kCycle);
   static constexpr std::int16_t kHalf = 1 << 14;
-  std::int16_t valueAt(int turn) const {
-    if (!dithers_ || turn == 0) return 0;
-    return turn == 1 ? std::int16_t{1} : std::int16_t{-1};
+  HWY_INLINE LightVec valueAt(int turn) const {
+    const int value = !dithers_ || turn == 0 ? 0 : turn == 1 ? 1 : -1;
+    return hn::Set(LightTag(), static_cast<std::int16_t>(value));
   }
   int phase_;
   bool dithers_;
@@ -135,6 +137,17 @@ HWY_INLINE void fillSegment(std::int16_t* values, std::int16_t value) {
   for (int i = 0; i < kSegment; i += static_cast<int>(hn::Lanes(d))) hn::StoreU(hn::Set(d, value), d, values + i);
 }
 
+// Adds to vectors of all planes, or sets them anew. Not a member: what a column's steps change stays in registers.
+void addToPlanes(std::int16_t* vectors, std::ptrdiff_t plane, int count, std::int16_t value, bool anew) {
+  const LightTag d;
+  const auto added = hn::Set(d, value);
+  for (int p = 0; p < kFixedPlanes; ++p)
+    for (int i = 0; i < count; ++i) {
+      std::int16_t* at = vectors + p * plane + i * static_cast<std::ptrdiff_t>(hn::Lanes(d));
+      hn::Store(anew ? added : hn::Add(hn::Load(d, at), added), d, at);
+    }
+}
+
 // A column on its way, segment by segment. kUp: up in x.
 template <bool kForward, bool kUp>
 class ColumnSweep {
@@ -158,7 +171,7 @@ class ColumnSweep {
     const Content carried = column_.carriedContent[segment];
     Content& merged = column_.mergedContent[segment];
     if (!carried.even || !staysAs(segment, carried.value)) {
-      if (!kForward && merged.even) addToMerged(first, count, merged.value, true);
+      if (!kForward && merged.even) addToPlanes(column_.merged + first * kLanes, plane_, count, merged.value, true);
       merged = {};
       dither_.start(kForward ? first : steps_ - first - count);
       return true;
@@ -173,7 +186,7 @@ class ColumnSweep {
     else if (merged.even)
       merged.value = static_cast<std::int16_t>(merged.value + added);
     else if (added != 0)
-      addToMerged(first, count, added, false);
+      addToPlanes(column_.merged + first * kLanes, plane_, count, added, false);
     return false;
   }
 
@@ -221,16 +234,6 @@ class ColumnSweep {
       if (!segmentIs(edge_ + p * handover_ + segment * kSegment - kReadBehind, value)) return false;
     return true;
   }
-  void addToMerged(int first, int count, std::int16_t value, bool anew) const {
-    const LightTag d;
-    for (int p = 0; p < kFixedPlanes; ++p)
-      for (int t = first; t < first + count; ++t) {
-        std::int16_t* merged = column_.merged + p * plane_ + static_cast<std::ptrdiff_t>(t) * kLanes;
-        const auto added = hn::Set(d, value);
-        hn::Store(anew ? added : hn::Add(hn::Load(d, merged), added), d, merged);
-      }
-  }
-
   FixedColumn column_;
   int steps_;
   std::ptrdiff_t plane_, handover_;

@@ -76,12 +76,12 @@ struct FixedColumn {
   const std::int16_t* transmittance = nullptr;  ///< -tau
   const Content* transmittanceContent = nullptr;
   LightPart part;
-  std::int16_t* merged = nullptr;    ///< parts, out; read too if walked backward
-  Content* mergedContent = nullptr;  ///< in and out as `merged`, whose even segments are left unwritten
-  std::int16_t* carried = nullptr;   ///< [step][lane]: N of the plane before, replaced by the last plane's
-  Content* carriedContent = nullptr;
-  std::int16_t* edge = nullptr;  ///< [plane][y]: N of the column before in x, replaced by this one's
-  int phase = 0;                 ///< of e at the first step in the first plane: sign_x x + sign_y y + sign_z z
+  std::int16_t* merged = nullptr;     ///< parts, out; read too if walked backward
+  Content* mergedContent = nullptr;   ///< in and out as `merged`, whose even segments are left unwritten
+  std::int16_t* carried = nullptr;    ///< [step][lane]: N of the plane before, replaced by the last plane's
+  Content* carriedContent = nullptr;  ///< as `carried`; even where all is full or dark
+  std::int16_t* edge = nullptr;       ///< [plane][y]: N of the column before in x, replaced by this one's
+  int phase = 0;                      ///< of e at the first step in the first plane: sign_x x + sign_y y + sign_z z
 };
 
 /// Weights of Eq. 6 in units of 2^-15; the third is what they leave of 1.

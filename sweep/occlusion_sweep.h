@@ -30,7 +30,7 @@
 //
 // [Singh10] Sec. 2 embeds the visibility in the passes of the distance. Here it has passes of its own: the result is
 // the same, for Eq. 7 asks for distances below h/2 alone, all of which are start values; and light, which needs neither
-// roots nor many bits, then goes four octants at a time in 16-bit lanes (fixed_light_sweeper.h), which takes half the
+// roots nor many bits, then goes four octants at a time in 16-bit lanes (fixed_light_sweeper.h), which takes .4 of the
 // time that it added to the distance's passes in float. `rgba8` and `combined` come from there, `float32` from a sweep
 // in float (light_sweeper.h).
 //
