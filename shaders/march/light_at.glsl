@@ -19,8 +19,9 @@ LightPlace lightPlace(vec3 position, int capAxis, vec3 gridSize) {
   return LightPlace((low.xy + 1.0f) / (gridSize.xy + 2.0f), low.z, vec4[2](layer * (1.0f - part.z), layer * part.z));
 }
 
+// At most 1, whatever the rounding of the weights.
 float lightAt(sampler2DArray field, LightPlace place) {
   vec4 low = textureGather(field, vec3(place.centre, place.layer)).wzxy;
   vec4 high = textureGather(field, vec3(place.centre, place.layer + 1.0f)).wzxy;
-  return dot(low, place.weights[0]) + dot(high, place.weights[1]);
+  return min(dot(low, place.weights[0]) + dot(high, place.weights[1]), 1.0f);
 }

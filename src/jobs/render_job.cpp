@@ -118,9 +118,11 @@ SweptLighting combinedLight(const LightingRequest& request, OctantVisibility& vi
 /// What the scene takes on the GPU, as of raymarch/renderer.h.
 std::size_t textureBytes(const SceneFields& fields) {
   constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8, kLightBytes = 2;
+  std::size_t lights = 0;
+  for (const LightField& field : fields.lights) lights += field.values.count();
   return fields.level.count() * (kLevelBytes + kClearanceBytes + (fields.distance.data ? kDistanceBytes : 0) +
-                                 (fields.octants[0].data ? kOctantsBytes : 0) + fields.lights.size() * kLightBytes) +
-         (fields.color ? fields.color->places.count() * sizeof(float) : 0);
+                                 (fields.octants[0].data ? kOctantsBytes : 0)) +
+         lights * kLightBytes + (fields.color ? fields.color->places.count() * sizeof(float) : 0);
 }
 
 /// Stage `environment`, if there is a map.
