@@ -6,8 +6,8 @@
 // nothing mixes: V is 0 or 1, so that the error falls with the number of ordinates, K^-3/4, until the lattice's steps
 // show. No point is shaded by the lattice's steps of its own plane (sheared_rays.h).
 //
-// Result: a value for each sample next to the surface (surface_feet.h), to be interpolated at points of the surface.
-// Elsewhere 0. Bitwise the same for any number of threads and any SIMD width.
+// Result: a value for each sample next to the surface and for the caps (surface_field.h), to be interpolated at points
+// of the surface. Bitwise the same for any number of threads and any SIMD width.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ std::vector<std::uint16_t> opennessOf(const std::vector<float>& blockedShares);
 
 /// The same from the fields. `level` as of makeLevel(), `distance` exact next to its surface.
 /// Memory: result 2 B per voxel. While it runs: refinement^3 / 4 B per voxel for the lattice (rows rounded up to
-/// words), 3/8 B for the marks of the samples, 68 B for each foot (1 to 3 % of the samples at 256^3 in the sample
+/// words), 3/8 B for the marks of the samples, 56 B for each foot (1 to 3 % of the samples at 256^3 in the sample
 /// scenes), and 4 B more of these per thread; the result is made when 28 of them are free again. std::length_error
 /// where a layer of the lattice has 2^24 points or more (2048^3 refined). Time: bench_ordinates.
 SurfaceField sweepOpenness(GridView<const float> level, GridView<const float> distance,
