@@ -6,6 +6,7 @@
 
 #include "gl/gl_scene.h"
 #include "raymarch/gpu_error.h"
+#include "support/random_numbers.h"
 #include "sweep/geometry_terms.h"
 #include "sweep/occlusion_sweep.h"
 #include "sweep/ordinates/openness_sweep.h"
@@ -164,17 +165,15 @@ TEST(Shading, DistanceNormalsFollowTheDistance) {
 }
 
 TEST(Shading, OpennessIsReadAsItIsDefined) {
-  // Openness that grows along each axis is shown as surface_field.h reads it, on the isosurface and on caps, in the
-  // last cells too: eight texels weighed in float, of 16 bits. Caps show it as it is.
+  // Random numbers at all samples, others on the caps, are shown as surface_field.h reads them: on a bumpy solid, whose
+  // normals turn from sample to sample, and on the faces that cut it, in the last cells too.
   GlScene scene = makeScene({40, 30, 20}, glm::dvec3(1, 1.3, 1.7), [](glm::dvec3 p) {
-    return glm::length(p - glm::dvec3(30, 20, 17)) - 15;  // cut by three faces
+    const double bumps = 1.5 * std::sin(p.x) * std::sin(1.1 * p.y) * std::sin(0.9 * p.z);
+    return glm::length(p - glm::dvec3(30, 20, 17)) - 15 + bumps;  // cut by three faces
   });
-  const auto valueAt = [](glm::dvec3 index) { return 1000 + 700 * index.x + 500 * index.y + 900 * index.z; };
-  Grid<std::uint16_t> samples(scene.level.size());
-  for (int z = 0; z < 20; ++z)
-    for (int y = 0; y < 30; ++y)
-      for (int x = 0; x < 40; ++x) samples.view()(x, y, z) = static_cast<std::uint16_t>(valueAt({x, y, z}));
-  scene.openness = surfaceField(std::as_const(samples).view());
+  RandomNumbers numbers(5);
+  const GridView<std::uint16_t> values = scene.openness.padded();
+  for (std::size_t i = 0; i < values.count(); ++i) values.data[i] = static_cast<std::uint16_t>(numbers.below(65536));
   RenderSettings settings = layerSettings();
   settings.shading = Shading::lights;
   int walls = 0, caps = 0;
@@ -183,10 +182,18 @@ TEST(Shading, OpennessIsReadAsItIsDefined) {
     for (std::size_t i = 0; i < frame.depth.size(); ++i) {
       if (!std::isfinite(frame.depth[i])) continue;
       const glm::dvec3 normal(frame.normal[i]), index(frame.index[i]);
-      const bool cap = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)}) == 1;
+      double want = 0;
+      bool cap = false;
+      for (int f = 0; f < kFaceCount; ++f) {
+        const GridFace face = faceOf(f);
+        if (normal[face.axis] != (face.side == 0 ? -1 : 1)) continue;
+        want = capValueAt(scene.openness, face, index);
+        cap = true;
+      }
       ++(cap ? caps : walls);
-      const double want = cap ? valueAt(index) : wallValueAt(scene.openness, scene.level.view(), index, normal);
-      ASSERT_NEAR(frame.light[i].x, want / 65535, 2e-5) << i;
+      if (!cap) want = wallValueAt(scene.openness, scene.level.view(), index, normal);
+      // Positions, normals and weights in float.
+      ASSERT_NEAR(frame.light[i].x, want / 65535, 5e-5) << i;
     }
   }
   EXPECT_GT(walls, 1000);
