@@ -229,9 +229,9 @@ SurfaceRays::Orders ordersFor(const LightingRequest& request, bool mapped) {
   return single ? SurfaceRays::Orders::remade : SurfaceRays::Orders::kept;
 }
 
-}  // namespace
+std::size_t fieldBytes(const SurfaceField& field) { return field.padded().count() * sizeof(std::uint16_t); }
 
-static std::size_t fieldBytes(const SurfaceField& field) { return field.padded().count() * sizeof(std::uint16_t); }
+}  // namespace
 
 std::size_t SweptLighting::bytes() const {
   std::size_t bytes = 0;

@@ -24,7 +24,7 @@ CapFeet::CapFeet(const BitGrid& solid) {
     rows.face = faceOf(f);
     rows.along = rows.face.axis == 0 ? 1 : 0;
     rows.across = rows.face.axis == 2 ? 1 : 2;
-    rows.at[rows.face.axis] = rows.face.side == 0 ? 0 : solid.size()[rows.face.axis] - 1;
+    rows.at[rows.face.axis] = placeOf(rows.face, solid.size());
     rows.length = solid.size()[rows.along];
     rows.rows = solid.size()[rows.across];
     rows.first.resize(static_cast<std::size_t>(rows.rows));
@@ -43,9 +43,12 @@ void CapFeet::write(const BitGrid& solid, SurfaceFoot* feet) const {
   for (const Rows& rows : faces_) {
     glm::vec3 normal{0};
     normal[rows.face.axis] = rows.face.side == 0 ? -1.0F : 1.0F;
-    for (int row = 0; row < rows.rows; ++row)
+    parallelFor(rows.first.size(), [&](std::size_t at) {
+      SurfaceFoot* next = feet + rows.first[at];
+      const auto row = static_cast<int>(at);
       for (int i = 0; i < rows.length; ++i)
-        if (rows.isSolid(solid, i, row)) *feet++ = {glm::vec3(rows.sample(i, row)), normal};
+        if (rows.isSolid(solid, i, row)) *next++ = {glm::vec3(rows.sample(i, row)), normal};
+    });
   }
 }
 

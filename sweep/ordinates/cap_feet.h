@@ -19,7 +19,7 @@ class CapFeet {
   explicit CapFeet(const BitGrid& solid);
 
   std::size_t count() const { return count_; }
-  /// In the order of faces, then of samples, x fastest.
+  /// In the order of faces, then of samples, x fastest. Threaded.
   void write(const BitGrid& solid, SurfaceFoot* feet) const;
   /// The value of each foot to its face, and to samples outside beside them the mean of those among the 8 around in the
   /// face. Threaded.

@@ -1,6 +1,7 @@
 // Light from far away on the surface, by sums over ordinates (surface_rays.h): a sky of any radiance, a disc, and what
 // screen-space methods call bent normals. Each result holds one number per sample next to the surface and on caps
-// (surface_field.h), to be interpolated at points of the surface. Bitwise the same for any number of threads and any SIMD width.
+// (surface_field.h), to be interpolated at points of the surface. Bitwise the same for any number of threads and any
+// SIMD width.
 #pragma once
 
 #include <array>

@@ -72,7 +72,7 @@ Grid<std::uint16_t> bySample(const SurfaceField& field, GridView<const float> le
         for (int i = 0; i < kFaceCount; ++i) {
           const GridFace face = faceOf(i);
           const glm::ivec3 at(x, y, z);
-          if (at[face.axis] != (face.side == 0 ? 0 : level.size[face.axis] - 1)) continue;
+          if (at[face.axis] != placeOf(face, level.size)) continue;
           sum += field.cap(face, at);
           ++count;
         }
@@ -99,14 +99,14 @@ double wallValueAt(const SurfaceField& field, GridView<const float> level, glm::
 
 double capValueAt(const SurfaceField& field, GridFace face, glm::dvec3 position) {
   glm::dvec3 padded = position + 1.0;
-  padded[face.axis] = face.side == 0 ? 0 : field.padded().size[face.axis] - 1;
+  padded[face.axis] = placeOf(face, field.padded().size);
   return trilinear(field.padded(), padded);
 }
 
 double surfaceValueAt(const SurfaceField& field, glm::dvec3 position) {
   for (int i = 0; i < kFaceCount; ++i) {
     const GridFace face = faceOf(i);
-    if (position[face.axis] != (face.side == 0 ? 0 : field.size()[face.axis] - 1)) continue;
+    if (position[face.axis] != placeOf(face, field.size())) continue;
     const double cap = capValueAt(field, face, position);
     if (cap > 0) return cap;
   }

@@ -26,6 +26,8 @@ struct GridFace {
 };
 inline constexpr int kFaceCount = 6;
 inline GridFace faceOf(int i) { return {i / 2, i % 2}; }
+/// Where its samples stand along its axis.
+inline int placeOf(GridFace face, glm::ivec3 size) { return face.side == 0 ? 0 : size[face.axis] - 1; }
 
 class SurfaceField {
  public:

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -25,6 +24,7 @@
 #include "sweep/level.h"
 #include "sweep/occlusion_sweep.h"
 #include "sweep/parallel.h"
+#include "tests/bench/report/timing.h"
 #include "volumes/scenes.h"
 
 namespace isolume {
@@ -115,14 +115,6 @@ Grid<float> levelOfScene(std::size_t scene) {
   return level;
 }
 
-// Seconds that `work` takes.
-template <class Work>
-double secondsOf(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 void lightOfScene(benchmark::State& state, VisibilityStorage storage) {
   setThreadCount(static_cast<int>(state.range(1)));
   const auto scene = static_cast<std::size_t>(state.range(0));
@@ -132,8 +124,8 @@ void lightOfScene(benchmark::State& state, VisibilityStorage storage) {
   for (auto _ : state) {
     SweptFields fields;
     distanceTime =
-        std::min(distanceTime, secondsOf([&] { fields = sweepOcclusion(level.view(), {.visibility = kNone}); }));
-    const double seconds = secondsOf([&] {
+        std::min(distanceTime, bench::secondsOf([&] { fields = sweepOcclusion(level.view(), {.visibility = kNone}); }));
+    const double seconds = bench::secondsOf([&] {
       const OctantVisibility visibility = sweepVisibility(std::as_const(fields.distance).view(), storage);
       benchmark::ClobberMemory();
     });

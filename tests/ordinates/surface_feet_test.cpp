@@ -7,6 +7,7 @@
 #include <glm/vector_relational.hpp>
 #include <vector>
 
+#include "ordinates/swept_openness.h"
 #include "support/random_grids.h"
 #include "support/random_numbers.h"
 #include "support/test_levels.h"
@@ -31,13 +32,6 @@ void forEachAround(GridView<const float> level, glm::ivec3 at, const Visit& visi
   }
 }
 
-template <class Visit>
-void forEachSample(glm::ivec3 size, const Visit& visit) {
-  for (int z = 0; z < size.z; ++z)
-    for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) visit(glm::ivec3(x, y, z));
-}
-
 // What a sample is by definition: with a sample of the other side among the 26 around it, and if it is outside, one of
 // the six along an axis.
 Kind kindOf(GridView<const float> level, glm::ivec3 at) {
@@ -54,7 +48,7 @@ Kind kindOf(GridView<const float> level, glm::ivec3 at) {
 void expectWallsByDefinition(GridView<const float> level, const std::vector<SurfaceFoot>& feet,
                              const std::vector<std::uint16_t>& numbers, const SurfaceField& field, std::size_t& next) {
   const double reach = glm::length(level.spacing) * (1 + 1e-6);
-  forEachSample(level.size, [&](glm::ivec3 at) {
+  test::forEachWithin(level.size, 0, [&](glm::ivec3 at) {
     SCOPED_TRACE(testing::Message() << at.x << " " << at.y << " " << at.z);
     const Kind kind = kindOf(level, at);
     ASSERT_EQ(field.wall(at) != 0, kind != Kind::away);
@@ -76,10 +70,10 @@ void expectCapsByDefinition(GridView<const float> level, const std::vector<Surfa
                             const std::vector<std::uint16_t>& numbers, const SurfaceField& field, std::size_t& next) {
   for (int f = 0; f < kFaceCount; ++f) {
     const GridFace face = faceOf(f);
-    const int border = face.side == 0 ? 0 : level.size[face.axis] - 1;
+    const int border = placeOf(face, level.size);
     glm::vec3 normal(0);
     normal[face.axis] = face.side == 0 ? -1.0F : 1.0F;
-    forEachSample(level.size, [&](glm::ivec3 at) {
+    test::forEachWithin(level.size, 0, [&](glm::ivec3 at) {
       if (at[face.axis] != border) return;
       SCOPED_TRACE(testing::Message() << at.x << " " << at.y << " " << at.z << " face " << f);
       bool beside = false;
@@ -164,7 +158,7 @@ TEST(SurfaceFeet, SamplesWithoutAFootTakeThoseThatHaveOne) {
   const SurfaceFeet surface(level.view(), distance.view());
   const SurfaceField field = surface.spread(std::vector<std::uint16_t>(surface.feet().size(), 12345));
   int filled = 0;
-  forEachSample(level.size(), [&](glm::ivec3 at) {
+  test::forEachWithin(level.size(), 0, [&](glm::ivec3 at) {
     const Kind kind = kindOf(level.view(), at);
     ASSERT_EQ(field.wall(at), kind == Kind::away ? 0 : 12345) << at.x << " " << at.y << " " << at.z;
     filled += kind == Kind::filled ? 1 : 0;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ordinates/swept_openness.h"
 #include "support/random_grids.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
@@ -17,13 +18,6 @@ namespace isolume {
 namespace {
 
 constexpr std::uint16_t kWall = 1000, kCap = 60000;
-
-template <class Visit>
-void forEachSample(glm::ivec3 size, const Visit& visit) {
-  for (int z = 0; z < size.z; ++z)
-    for (int y = 0; y < size.y; ++y)
-      for (int x = 0; x < size.x; ++x) visit(glm::ivec3(x, y, z));
-}
 
 TEST(SurfaceField, KeepsCapsAndWallsApart) {
   // Whatever the caps hold, no sample of the isosurface takes anything of it, and the other way round.
@@ -35,16 +29,16 @@ TEST(SurfaceField, KeepsCapsAndWallsApart) {
     const SurfaceFeet surface(level, distance.view());
     std::size_t caps = 0;
     for (int f = 0; f < kFaceCount; ++f)
-      forEachSample(level.size, [&](glm::ivec3 at) {
+      test::forEachWithin(level.size, 0, [&](glm::ivec3 at) {
         const GridFace face = faceOf(f);
-        const bool border = at[face.axis] == (face.side == 0 ? 0 : level.size[face.axis] - 1);
+        const bool border = at[face.axis] == placeOf(face, level.size);
         caps += border && level(at.x, at.y, at.z) > 0 ? 1 : 0;
       });
     std::vector<std::uint16_t> values(surface.feet().size(), kWall);
     ASSERT_LE(caps, values.size());
     std::fill(values.end() - static_cast<std::ptrdiff_t>(caps), values.end(), kCap);
     const SurfaceField field = surface.spread(values);
-    forEachSample(field.padded().size, [&](glm::ivec3 at) {
+    test::forEachWithin(field.padded().size, 0, [&](glm::ivec3 at) {
       const bool within =
           glm::all(glm::greaterThan(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, field.padded().size - 1));
       const std::uint16_t value = field.padded()(at.x, at.y, at.z);
@@ -59,7 +53,7 @@ struct Sheet {
       test::sampleLevel(glm::ivec3(17), glm::dvec3(1), [](glm::dvec3 p) { return 0.4 - std::abs(p.z - 8); });
   SurfaceField field{glm::ivec3(17)};
   Sheet() {
-    forEachSample(glm::ivec3(17), [&](glm::ivec3 at) {
+    test::forEachWithin(glm::ivec3(17), 0, [&](glm::ivec3 at) {
       field.wall(at) = at.z == 8 ? (kWall + kCap) / 2 : at.z > 8 ? kCap : kWall;
     });
   }
@@ -100,21 +94,20 @@ TEST(SurfaceField, BySampleShowsCapsOnTheBorder) {
   const Grid<float> level =
       test::sampleLevel(glm::ivec3(5, 6, 7), glm::dvec3(1), [](glm::dvec3 p) { return 3.3 - p.z; });
   SurfaceField field(level.size());
-  forEachSample(level.size(), [&](glm::ivec3 at) {
+  test::forEachWithin(level.size(), 0, [&](glm::ivec3 at) {
     field.wall(at) = kWall;
     for (int f = 0; f < kFaceCount; ++f) {
       const GridFace face = faceOf(f);
-      if (at[face.axis] == (face.side == 0 ? 0 : level.size()[face.axis] - 1))
-        field.cap(face, at) = static_cast<std::uint16_t>(100 * (f + 1));
+      if (at[face.axis] == placeOf(face, level.size())) field.cap(face, at) = static_cast<std::uint16_t>(100 * (f + 1));
     }
   });
   const Grid<std::uint16_t> samples = bySample(field, level.view());
-  forEachSample(level.size(), [&](glm::ivec3 at) {
+  test::forEachWithin(level.size(), 0, [&](glm::ivec3 at) {
     double sum = 0;
     int faces = 0;
     for (int f = 0; f < kFaceCount; ++f) {
       const GridFace face = faceOf(f);
-      if (at[face.axis] != (face.side == 0 ? 0 : level.size()[face.axis] - 1)) continue;
+      if (at[face.axis] != placeOf(face, level.size())) continue;
       sum += 100 * (f + 1);
       ++faces;
     }
