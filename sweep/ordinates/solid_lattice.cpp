@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "outline.h"
 #include "sweep/near_sets.h"
 #include "sweep/parallel.h"
 
@@ -107,7 +108,8 @@ void transposeLayer(const BitRows& from, BitRows& to, int layer) {
 
 }  // namespace
 
-SolidLattice makeSolidLattice(GridView<const float> level, const BitGrid& inside, int refinement) {
+SolidLattice makeSolidLattice(GridView<const float> level, const BitGrid& inside, int refinement,
+                              const GridView<const float>* outlines) {
   SolidLattice lattice;
   lattice.refinement = refinement;
   lattice.size = (level.size - 1) * refinement + 1;
@@ -123,6 +125,7 @@ SolidLattice makeSolidLattice(GridView<const float> level, const BitGrid& inside
       } else {
         refineRow(around, level.size.x, lattice.alongX.words, row);
       }
+      if (outlines != nullptr) narrowOutlines(*outlines, inside, refinement, y, z, row);
     }
     transposeLayer(lattice.alongX, lattice.alongY, z);
   });

@@ -17,7 +17,9 @@ struct SolidLattice {
   BitRows alongY;  ///< row x of layer z
 };
 
-/// `inside`: the samples with level > 0; `refinement` 1 or 2. Threaded.
-SolidLattice makeSolidLattice(GridView<const float> level, const BitGrid& inside, int refinement);
+/// `inside`: the samples with level > 0; `refinement` 1 or 2; `outlines`: the distance, exact next to the surface,
+/// where convex outlines are to be as wide for digital lines as they are for true ones (outline.h). Threaded.
+SolidLattice makeSolidLattice(GridView<const float> level, const BitGrid& inside, int refinement,
+                              const GridView<const float>* outlines = nullptr);
 
 }  // namespace isolume

@@ -49,7 +49,7 @@ std::vector<RayGroup> rayGroups(int axis, const std::vector<Ordinate>& ordinates
 SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> distance, int refinement, Orders orders)
     : spacing_(level.spacing),
       surface_(level, distance),
-      lattice_(makeSolidLattice(level, surface_.solid(), refinement)) {
+      lattice_(makeSolidLattice(level, surface_.solid(), refinement, &distance)) {
   for (int axis = 0; axis < 3; ++axis) {
     const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
     if (voxelCount({layers.words * kWordBits, layers.rows + kMostBeyond, 1}) >= kMostLayerBits)

@@ -6,6 +6,7 @@ isolume_test(test_ordinates
   ordinates/openness_reference_test.cpp
   ordinates/openness_test.cpp
   ordinates/ordinate_set_test.cpp
+  ordinates/outline_test.cpp
   ordinates/plane_test.cpp
   ordinates/ray_points_test.cpp
   ordinates/sheared_rays_test.cpp
