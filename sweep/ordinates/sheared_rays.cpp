@@ -26,9 +26,19 @@ inline constexpr int kVectorWords = 8;
 /// Layers from one that is copied to one that is fetched into the cache.
 inline constexpr int kFetchedAhead = 2;
 
+/// Rows [begin, end); what is beyond is empty.
+struct RowRange {
+  int begin = 0, end = 0;
+  bool empty() const { return begin >= end; }
+};
+inline RowRange unionOf(RowRange a, RowRange b) {
+  if (a.empty()) return b;
+  return b.empty() ? a : RowRange{std::min(a.begin, b.begin), std::max(a.end, b.end)};
+}
+
 // B of one direction in the last kKeptLayers layers: rows of bits one after the other, between guard rows of zeros.
 // Rows end in zeros (BitRows): what a row takes in from the next or the one before is 0. Layers not yet swept are
-// zeros.
+// zeros, and so are the rows outside those that a layer is said to meet anything in.
 class RayLayers {
  public:
   RayLayers(int rows, int words) : words_(words), rows_(rows + 2 * kGuardRows) {
@@ -41,9 +51,25 @@ class RayLayers {
   std::uint64_t* row(int r, int layer) const {
     return bits_.get() + slotOf(layer) * layerWords() + static_cast<std::ptrdiff_t>(r + kGuardRows) * words_;
   }
+  RowRange met(int layer) const { return met_[static_cast<std::size_t>(slotOf(layer))]; }
+  /// What the layer that lay in the same place had in other rows is cleared.
+  void setMet(int layer, RowRange rows) {
+    RowRange& before = met_[static_cast<std::size_t>(slotOf(layer))];
+    const auto clear = [&](int begin, int end) {
+      if (begin < end) std::fill(row(begin, layer), row(end, layer), std::uint64_t{0});
+    };
+    if (rows.empty()) {
+      clear(before.begin, before.end);
+    } else {
+      clear(before.begin, std::min(before.end, rows.begin));
+      clear(std::max(before.begin, rows.end), before.end);
+    }
+    before = rows;
+  }
 
  private:
   int words_, rows_;
+  std::array<RowRange, kKeptLayers> met_{};
   LargeArray<std::uint64_t> bits_;
 };
 
@@ -55,13 +81,14 @@ namespace isolume::HWY_NAMESPACE {
 
 using WordTag = hn::CappedTag<std::uint64_t, kVectorWords>;
 
-// to[x] = solid[x] | from[x + kShift] for a whole layer; `mask` clears the ends of the rows. Up to a vector beyond the
-// last word `solid` and `mask` are 0, and so is what is written there.
+// to[x] = solid[x] | from[x + kShift] for the words [begin, end) of a layer, and up to a vector less one more on either
+// side; `mask` clears the ends of the rows. Beyond the layer `solid` and `mask` are 0, and so is what is written there.
 template <int kShift>
 HWY_INLINE void advanceLayer(const std::uint64_t* from, const std::uint64_t* solid, const std::uint64_t* mask,
-                             std::ptrdiff_t words, std::uint64_t* to) {
+                             std::ptrdiff_t begin, std::ptrdiff_t end, std::uint64_t* to) {
   const WordTag d;
-  for (std::ptrdiff_t w = 0; w < words; w += static_cast<std::ptrdiff_t>(hn::Lanes(d))) {
+  const auto lanes = static_cast<std::ptrdiff_t>(hn::Lanes(d));
+  for (std::ptrdiff_t w = begin / lanes * lanes; w < end; w += lanes) {
     auto met = hn::LoadU(d, from + w);
     if constexpr (kShift > 0)
       met = hn::Or(hn::ShiftRight<1>(met), hn::ShiftLeft<kWordBits - 1>(hn::LoadU(d, from + w + 1)));
@@ -161,16 +188,28 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
     const int layer = first - towards * done;
     const std::uint64_t* from = lattice.data + layer * lattice.layerStride;
     std::uint64_t* to = solid.get();
+    RowRange solidRows;
     for (int r = 0; r < lattice.rows; ++r, from += lattice.rowStride) {
       // No hardware sees so long a stride.
       if (done + kFetchedAhead < lattice.layers) hwy::Prefetch(from - towards * kFetchedAhead * lattice.layerStride);
-      for (int w = 0; w < lattice.words; ++w) *to++ = from[w];
+      std::uint64_t any = 0;
+      for (int w = 0; w < lattice.words; ++w) any |= * to++ = from[w];
+      if (any != 0) solidRows = {solidRows.empty() ? r : solidRows.begin, r + 1};
     }
     for (std::size_t k = 0; k < directions.size(); ++k) {
       steps[k] = stepInto(layer, towards, directions[k]);
+      // Rows that are open so far and stay so are left alone.
+      const RowRange before = rays[k].met(layer + towards);
+      const RowRange carried{std::max(before.begin - steps[k].shiftRow, 0),
+                             std::min(before.end - steps[k].shiftRow, lattice.rows)};
+      const RowRange met = unionOf(solidRows, carried);
+      rays[k].setMet(layer, met);
+      if (met.empty()) continue;
       const auto advance = [&](auto shift) {
         advanceLayer<decltype(shift)::value>(rays[k].row(steps[k].shiftRow, layer + towards), solid.get(), mask.get(),
-                                             static_cast<std::ptrdiff_t>(layerWords), rays[k].row(0, layer));
+                                             static_cast<std::ptrdiff_t>(met.begin) * lattice.words,
+                                             static_cast<std::ptrdiff_t>(met.end) * lattice.words,
+                                             rays[k].row(0, layer));
       };
       if (steps[k].shiftBit == 0) advance(std::integral_constant<int, 0>());
       if (steps[k].shiftBit > 0) advance(std::integral_constant<int, 1>());
