@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 
+#include "fixed_transport.h"
 #include "sweep/ordinates/openness_sweep.h"
 #include "sweep/ordinates/surface_feet.h"
 
@@ -28,9 +29,9 @@ SurfaceField sweepTransport(GridView<const float> level, GridView<const float> d
   for (const SurfaceFoot& foot : surface.feet()) points.push_back({foot.position, foot.normal});
   std::vector<float> blocked(points.size(), 0);
   if (glm::min(glm::min(level.size.x, level.size.y), level.size.z) > 1)
-    blocked = transportOpenness(distance, points, options);
+    blocked = transportBlocked(distance, points, options);
   for (std::size_t i = 0; i < blocked.size(); ++i)
-    blocked[i] = looksOut(surface.feet()[i], level.size) ? 0 : 1 - blocked[i];
+    if (looksOut(surface.feet()[i], level.size)) blocked[i] = 0;
   return surface.spread(opennessOf(blocked));
 }
 

@@ -16,7 +16,7 @@
 namespace isolume {
 
 /// `level` as of makeLevel(), `distance` exact next to its surface; at least two samples along each axis, else all is
-/// open. Memory: that of the feet (surface_feet.h), 32 bytes more for each, and of transportOpenness().
+/// open. Memory: that of the feet (surface_feet.h), 28 bytes more for each, and of transportBlocked().
 SurfaceField sweepTransport(GridView<const float> level, GridView<const float> distance,
                             const TransportOptions& options = {});
 
