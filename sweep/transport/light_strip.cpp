@@ -89,7 +89,8 @@ class StripSweep {
         step<false>(first, count);
       strip_.visibilityContent[segment] = {};
       const std::int16_t* carried = strip_.carried + first * kStripRows * kLanes;
-      const bool known = carried[0] == 0 || carried[0] == -kFullLight;
+      const bool known =
+          (carried[0] == 0 || carried[0] == -kFullLight) && carried[count * kStripRows * kLanes - 1] == carried[0];
       strip_.carriedContent[segment] = {known && vectorsAre(D(), carried, count * kStripRows, carried[0]), carried[0]};
     }
   }
@@ -143,7 +144,8 @@ class StripSweep {
     const auto advance = [&](const RowLight<D>& up, RowLight<D>& own, int r, std::int16_t tau) HWY_ATTR {
       const V z = hn::Load(d, carried + r * kLanes), base = hn::Add(z, dither);
       const auto from = [&](V n, V w) HWY_ATTR { return hn::MulFixedPoint15(hn::SaturatedSub(n, base), w); };
-      V light = hn::SaturatedAdd(hn::SaturatedSub(from(own.last, wx), z), from(up.last, wy));
+      // A mean of N_x and N_z, which no rounding takes beyond what they hold; the others may.
+      V light = hn::SaturatedAdd(hn::Sub(from(own.last, wx), z), from(up.last, wy));
       if constexpr (kDiagonals) {
         light = hn::SaturatedAdd(light, hn::SaturatedAdd(from(up.twoAgo, wxy), from(own.below, wxz)));
         light = hn::SaturatedAdd(light, hn::SaturatedAdd(from(up.below, wyz), from(up.belowTwoAgo, wxyz)));

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -63,6 +65,47 @@ TEST(FixedTransport, IsThatOfFloats) {
         }
       }
   }
+}
+
+TEST(FixedTransport, ACoveredTunnelIsThatOfFloats) {
+  // Rows of solid between what is lit in part and a tunnel: what is passed over in the dark lets no light through, to
+  // 3e-4 as above. Rows and their parts are those that a sweep takes together.
+  const glm::ivec3 size(48, 20, 20);
+  Grid<float> distance(size);
+  for (std::size_t i = 0; i < distance.count(); ++i) {
+    const auto x = static_cast<int>(i % 48), y = static_cast<int>(i / 48 % 20);
+    distance.data()[i] = (y >= 4 && y < 8) || (y < 4 && x >= 16) ? -9.0F : 9.0F;
+  }
+  std::vector<OpenPoint> points;
+  for (int x = 0; x < size.x; ++x)
+    for (const int y : {3, 9, 12}) points.push_back({glm::vec3(x, y, 10), glm::vec3(0, -1, 0)});
+  const TransportOptions options{.offsetVoxels = 0};
+  const std::vector<float> want = transportOpenness(std::as_const(distance).view(), points, options);
+  const std::vector<float> got = transportBlocked(std::as_const(distance).view(), points, options);
+  for (std::size_t i = 0; i < want.size(); ++i) EXPECT_NEAR(1 - got[i], want[i], 3e-4) << i;
+}
+
+TEST(FixedTransport, LightBeforeASolidIsFull) {
+  // On each side of a block points that look away from it are open, exactly, though what is swept with them is not.
+  const glm::ivec3 size(40);
+  Grid<float> distance(size);
+  const GridView<float> view = distance.view();
+  for (int z = 0; z < size.z; ++z)
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x)
+        view(x, y, z) = glm::all(glm::lessThan(glm::abs(glm::ivec3(x, y, z) - 20), glm::ivec3(8))) ? -9.0F : 9.0F;
+  std::vector<OpenPoint> points;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float sign : {-1.0F, 1.0F}) {
+      glm::vec3 position(20.3F, 18.9F, 21.7F), normal(0);
+      normal[axis] = sign;
+      position[axis] = 20 + 8 * sign;
+      points.push_back({position, normal});
+    }
+  for (const TransportScheme scheme : kSchemes)
+    for (const float blocked :
+         transportBlocked(std::as_const(distance).view(), points, {.ordinates = 300, .scheme = scheme}))
+      EXPECT_EQ(blocked, 0);
 }
 
 TEST(FixedTransport, OpenIsOpenAndDarkIsDark) {
