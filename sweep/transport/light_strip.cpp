@@ -83,10 +83,11 @@ class StripSweep {
     for (int segment = 0; segment < segments; ++segment) {
       const int first = segment * kSegment, count = std::min(kSegment, stripSteps(strip_.count) - first);
       if (passOver(segment, first, count)) continue;
-      if (strip_.wanted[segment] != 0)
-        step<true>(first, count);
+      const bool stores = strip_.wanted[segment] != 0;
+      if (isClear(strip_, first))
+        stores ? step<true, true>(first, count) : step<false, true>(first, count);
       else
-        step<false>(first, count);
+        stores ? step<true, false>(first, count) : step<false, false>(first, count);
       strip_.visibilityContent[segment] = {};
       const std::int16_t* carried = strip_.carried + first * kStripRows * kLanes;
       const bool known =
@@ -124,7 +125,8 @@ class StripSweep {
     return true;
   }
 
-  template <bool kStores>
+  // kAllClear: all that is passed lets light through.
+  template <bool kStores, bool kAllClear>
   HWY_INLINE void step(int first, int count) {
     const D d;
     const V wx = wx_, wy = wy_, wxy = wxy_, wxz = wxz_, wyz = wyz_, wxyz = wxyz_;
@@ -141,7 +143,7 @@ class StripSweep {
     const std::int16_t* through1 = strip_.transmittance[1] + start - direction;
     const std::int16_t* through2 = strip_.transmittance[2] + start - 2 * direction;
     const std::int16_t* through3 = strip_.transmittance[3] + start - 3 * direction;
-    const auto advance = [&](const RowLight<D>& up, RowLight<D>& own, int r, std::int16_t tau) HWY_ATTR {
+    const auto advance = [&](const RowLight<D>& up, RowLight<D>& own, int r, const std::int16_t* tau) HWY_ATTR {
       const V z = hn::Load(d, carried + r * kLanes), base = hn::Add(z, dither);
       const auto from = [&](V n, V w) HWY_ATTR { return hn::MulFixedPoint15(hn::SaturatedSub(n, base), w); };
       // A mean of N_x and N_z, which no rounding takes beyond what they hold; the others may.
@@ -156,10 +158,12 @@ class StripSweep {
       light = hn::Max(light, hn::Zero(d));
       if constexpr (kStores) hn::Store(light, d, visibility + r * kLanes);
       constexpr int kUnits = -kClear / kPowerSteps;
-      if constexpr (kPowers)
-        own.last = hn::MulFixedPoint15(light, hn::Load(d, powers_ + (kUnits / 2 - tau) / kUnits * kLanes));
+      if constexpr (kAllClear)
+        own.last = hn::Neg(light);
+      else if constexpr (kPowers)
+        own.last = hn::MulFixedPoint15(light, hn::Load(d, powers_ + (kUnits / 2 - *tau) / kUnits * kLanes));
       else
-        own.last = hn::MulFixedPoint15(light, hn::Set(d, tau));
+        own.last = hn::MulFixedPoint15(light, hn::Set(d, *tau));
       hn::Store(own.last, d, carried + r * kLanes);
     };
     RowLight<D> row0 = rows_[0], row1 = rows_[1], row2 = rows_[2], row3 = rows_[3], above = edge_;
@@ -173,10 +177,10 @@ class StripSweep {
         before += kLanes;
       }
       // From the last row on: each reads what the row before it had in the steps before.
-      advance(row2, row3, 3, *through3);
-      advance(row1, row2, 2, *through2);
-      advance(row0, row1, 1, *through1);
-      advance(above, row0, 0, *through0);
+      advance(row2, row3, 3, through3);
+      advance(row1, row2, 2, through2);
+      advance(row0, row1, 1, through1);
+      advance(above, row0, 0, through0);
       hn::Store(row3.last, d, edge - kLag * kLanes);
       through0 += direction;
       through1 += direction;
