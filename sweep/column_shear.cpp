@@ -19,17 +19,18 @@ using LightMask = hn::Mask<LightTag>;
 // Rows follow each other in memory, faster than the hardware guesses: values ahead to ask for.
 constexpr int kAhead = 1024;
 
-void transmittanceRowOnTarget(const float* distance, int count, float perSmallest, float opacity, std::int16_t* row) {
+void transmittanceRowOnTarget(const float* distance, int count, float perSmallest, const TransmittanceRamp& ramp,
+                              std::int16_t* row) {
   const hn::Rebind<std::int16_t, hn::ScalableTag<float>> d16;
   const hn::ScalableTag<float> d;
   const int lanes = static_cast<int>(hn::Lanes(d)), width = static_cast<int>(hn::Lanes(LightTag()));
   const auto scale = hn::Set(d, perSmallest), one = hn::Set(d, 1.0F), minusOne = hn::Set(d, -1.0F);
-  const auto alpha = hn::Set(d, opacity), middle = hn::Set(d, 1 - opacity / 2), least = hn::Set(d, 1 - opacity);
+  const auto slope = hn::Set(d, ramp.slope), middle = hn::Set(d, ramp.middle), least = hn::Set(d, ramp.least);
   const auto units = hn::Set(d, static_cast<float>(kClear));
   const auto convert = [&](hn::Vec<decltype(d)> value) HWY_ATTR {
-    // From 1/2 on nothing changes: 1 stands for all that is larger, infinity too.
+    // From 1 on nothing changes: it stands for all that is larger, infinity too.
     const auto near = hn::Min(hn::Max(hn::Mul(value, scale), minusOne), one);
-    const auto tau = hn::Min(hn::Max(hn::Add(hn::Mul(alpha, near), middle), least), one);
+    const auto tau = hn::Min(hn::Max(hn::Add(hn::Mul(slope, near), middle), least), one);
     return hn::DemoteTo(d16, hn::NearestInt(hn::Mul(tau, units)));
   };
   int x = 0;
@@ -191,8 +192,9 @@ HWY_EXPORT(unshearRowsOnTarget);
 HWY_EXPORT(packBytesOnTarget);
 HWY_EXPORT(packMeansOnTarget);
 
-void transmittanceRow(const float* distance, int count, float perSmallest, float opacity, std::int16_t* row) {
-  HWY_DYNAMIC_DISPATCH(transmittanceRowOnTarget)(distance, count, perSmallest, opacity, row);
+void transmittanceRow(const float* distance, int count, float perSmallest, const TransmittanceRamp& ramp,
+                      std::int16_t* row) {
+  HWY_DYNAMIC_DISPATCH(transmittanceRowOnTarget)(distance, count, perSmallest, ramp, row);
 }
 
 Content contentOfRows(const std::int16_t* rows, std::ptrdiff_t stride, int count) {

@@ -10,9 +10,17 @@
 
 namespace isolume {
 
-/// -tau of [Singh10] Eq. 7 and 8 in units of 2^-15 for `count` distances times `perSmallest` = 1 / h, rounded; to whole
-/// vectors, kClear beyond the count.
-void transmittanceRow(const float* distance, int count, float perSmallest, float opacity, std::int16_t* row);
+/// tau = clamp(slope D / h + middle, least, 1), the same for all D beyond +-h.
+struct TransmittanceRamp {
+  float slope = 1, middle = 0.5F, least = 0;
+};
+/// [Singh10] Eq. 7 and 8.
+constexpr TransmittanceRamp centredRamp(float opacity) { return {opacity, 1 - opacity / 2, 1 - opacity}; }
+
+/// -tau in units of 2^-15 for `count` distances times `perSmallest` = 1 / h, rounded; to whole vectors, kClear beyond
+/// the count.
+void transmittanceRow(const float* distance, int count, float perSmallest, const TransmittanceRamp& ramp,
+                      std::int16_t* row);
 
 /// What a column's `lanes` values in each of `count` >= 1 rows are.
 Content contentOfRows(const std::int16_t* rows, std::ptrdiff_t stride, int count);

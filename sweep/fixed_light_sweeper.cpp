@@ -194,7 +194,7 @@ class Walk {
     const GridView<const float>& distance = request_.distance;
     const auto perSmallest = 1 / static_cast<float>(smallestSpacing(distance.spacing));
     const int x = firstColumn * shape_.lanes, count = std::min(endColumn * shape_.lanes, size_.x) - x;
-    transmittanceRow(&distance(x, y, z), count, perSmallest, request_.opacity, rows + y * stride_ + x);
+    transmittanceRow(&distance(x, y, z), count, perSmallest, centredRamp(request_.opacity), rows + y * stride_ + x);
   }
   // What a block of the layer's rows is; planes beyond the grid are clear.
   Content findContent(Layer& layer, int layerOrder, int column, int segment) const {

@@ -104,6 +104,7 @@ Command checked(FieldsJob& job) {
   checkOutput(job.output, job.surface.input, job.run, "fields");
   if (!job.output.ends_with(".vdb"))
     throw UsageError(fmt::format("--output: expected a name that ends in .vdb, found '{}'", job.output));
+  checkFields(job);
   return job;
 }
 

@@ -2,6 +2,7 @@
 
 #include "src/cli/compare_options.h"
 #include "src/cli/option_builder.h"
+#include "src/cli/ordinate_options.h"
 #include "src/cli/parse_value.h"
 #include "src/cli/reference_options.h"
 #include "src/cli/render_options.h"
@@ -79,6 +80,8 @@ CommandParser::CommandParser() {
             for (const std::string& name : splitList(text)) fields.others.*parseChoice(option, name, choices) = true;
           },
           "further grids, at the samples next to the surface:\nopenness,bent,thickness");
+  addOrdinatesOption(sweeping, "Output", fields.occlusion, "directions that they are swept by");
+  addTransportOptions(sweeping, "Output", fields.occlusion);
   addDistanceOptions(sweeping, fields.surface.distance, "full");
   addOutputOption(sweeping, fields.output, "FILE", "VDB to write (.vdb)");
   addRunOptions(sweeping, fields.run);

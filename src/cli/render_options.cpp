@@ -5,6 +5,7 @@
 #include "raymarch/context.h"
 #include "src/cli/light_options.h"
 #include "src/cli/option_builder.h"
+#include "src/cli/ordinate_options.h"
 #include "src/cli/parse_value.h"
 #include "src/cli/picture_options.h"
 #include "src/cli/presets.h"
@@ -45,12 +46,7 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
         occlusion.error = parsePositive(option, text);
       },
       "instead of --quality: the cheapest setting whose\nerror on the reference scenes was at most that");
-  group.value(
-      "--ordinates", "N",
-      [&occlusion](const std::string& option, const std::string& text) {
-        occlusion.ordinates = parseCount(option, text, kLeastOrdinates, kMostOrdinates);
-      },
-      fmt::format("instead of --quality: directions, {} to {}", kLeastOrdinates, kMostOrdinates));
+  addOrdinatesOption(app, "Shading", occlusion, "instead of --quality: directions");
   group.value(
       "--refinement", "N",
       [&occlusion](const std::string& option, const std::string& text) {
@@ -58,6 +54,7 @@ void addShadingOptions(CLI::App& app, RenderJob& job) {
       },
       fmt::format("lattice points per voxel for --ordinates, 1 or {}\n(default: {})", kMostRefinement,
                   OrdinateOptions().refinement));
+  addTransportOptions(app, "Shading", occlusion);
   group.value(
       "--occlusion-offset", "VOXELS",
       [&occlusion](const std::string& option, const std::string& text) {
@@ -193,7 +190,8 @@ void checkRenderOptions(const RenderJob& job) {
   checkColorRequest(job.color);
   if (!job.color.by.empty() && job.light.bounces.value_or(0) != 0)
     throw UsageError("--bounces: expected a surface of one albedo, found --color-by");
-  const OcclusionMethod method = chooseOcclusion(job.occlusion).method;
+  const OcclusionSetting occlusion = chooseOcclusion(job.occlusion);
+  const OcclusionMethod method = occlusion.method;
   checkScreenRequest(job.screen, givenOption(job.occlusion));
   checkScreenLight(job.screen, job.light);
   const bool openness = job.screen.estimator && !readsSky(*job.screen.estimator);
@@ -202,6 +200,10 @@ void checkRenderOptions(const RenderJob& job) {
                                  openness ? "ambient" : "ambient, irradiance",
                                  screenEstimatorName(*job.screen.estimator)));
   checkLighting(job.light, method);
+  if (const char* option = beyondEvenSky(job.light)) needRays(occlusion, option);
+  if (sweepsBent(job.screen)) needRays(occlusion, "--bent-from sweep");
+  if (job.layers.bent || job.layers.thickness)
+    needRays(occlusion, job.layers.bent ? "--layers bent" : "--layers thickness");
   if (isTranslucent(job.light) && job.occlusion.refinement.value_or(1) != 1)
     throw UsageError(
         fmt::format("--refinement: expected 1 beside a translucent solid, found {}", *job.occlusion.refinement));

@@ -16,6 +16,7 @@
 #include "sweep/ordinates/openness_sweep.h"
 #include "sweep/ordinates/translucency.h"
 #include "sweep/parallel.h"
+#include "sweep/transport/transport_sweep.h"
 
 namespace isolume {
 namespace {
@@ -50,26 +51,40 @@ void addBent(const std::array<SurfaceField, 3>& fields, GridView<const float> le
 }
 
 /// What a picture of the default setting would take, but for the refinement: lengths need a lattice of the samples.
-void sweepOthers(const OtherFields& wanted, const SweptScene& scene, FieldsFile& file, StageLog& log) {
+void sweepOthers(const OtherFields& wanted, const OcclusionSetting& occlusion, const SweptScene& scene,
+                 FieldsFile& file, StageLog& log) {
   if (!wanted.any()) return;
-  const int ordinates = OrdinateOptions().ordinates;
+  const int ordinates = occlusion.ordinates.ordinates;
   log.begin("light", fmt::format("sweeping {} ordinates over {}", ordinates, gridText(scene)));
   const GridView<const float> level = scene.surface.level.view(), distance = scene.swept.distance.view();
-  const SurfaceRays rays(level, distance, 1);
-  if (wanted.openness)
-    file.others.emplace_back("openness",
-                             toFloat({rays.surface().spread(opennessOf(blockedShares(rays, ordinates))), 1}, level));
-  if (wanted.bent)
-    addBent(sweepBentNormals(rays, ordinates, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes), level,
-            file.others);
-  if (wanted.thickness)
-    file.others.emplace_back("thickness", toFloat(sweepThickness(rays, distance, ordinates), level));
+  if (occlusion.transport) {
+    file.others.emplace_back("openness", toFloat({sweepTransport(level, distance, *occlusion.transport), 1}, level));
+  } else {
+    const SurfaceRays rays(level, distance, 1);
+    if (wanted.openness)
+      file.others.emplace_back("openness",
+                               toFloat({rays.surface().spread(opennessOf(blockedShares(rays, ordinates))), 1}, level));
+    if (wanted.bent)
+      addBent(sweepBentNormals(rays, ordinates, makeGridFrame(scene.surface.worldFromGrid).worldFromAxes), level,
+              file.others);
+    if (wanted.thickness)
+      file.others.emplace_back("thickness", toFloat(sweepThickness(rays, distance, ordinates), level));
+  }
   std::size_t bytes = 0;
   for (const auto& [name, values] : file.others) bytes += values.count() * sizeof(float);
   log.end(bytes);
 }
 
 }  // namespace
+
+void checkFields(const FieldsJob& job) {
+  const OcclusionSetting occlusion = chooseOcclusion(job.occlusion);
+  const char* option = givenOption(job.occlusion);
+  if (option && !job.others.any())
+    throw UsageError(fmt::format("{}: expected --with beside it, whose fields are swept so, found none", option));
+  if (job.others.bent) needRays(occlusion, "--with bent");
+  if (job.others.thickness) needRays(occlusion, "--with thickness");
+}
 
 void runFieldsJob(const FieldsJob& job) {
   checkWritable(job.output);
@@ -83,11 +98,13 @@ void runFieldsJob(const FieldsJob& job) {
       job.surface, {.distance = true, .visibility = VisibilityStorage::float32, .extent = DistanceExtent::full}, log);
   Surface& surface = scene.surface;
   FieldsFile file;
-  sweepOthers(job.others, scene, file, log);
+  const OcclusionSetting occlusion = chooseOcclusion(job.occlusion);
+  sweepOthers(job.others, occlusion, scene, file, log);
 
   log.begin("write", "writing " + job.output);
   const std::string checksums = checksumText(surface.files);
-  const Provenance provenance = surfaceProvenance(job.run.command, job.surface.input, surface, checksums);
+  Provenance provenance = surfaceProvenance(job.run.command, job.surface.input, surface, checksums);
+  if (job.others.any()) provenance.settings.update(occlusionSettings(occlusion));
   file.level = std::move(surface.level);
   file.swept = std::move(scene.swept);
   file.worldFromGrid = surface.worldFromGrid;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "src/jobs/occlusion_method.h"
 #include "src/jobs/run_options.h"
 #include "src/jobs/surface.h"
 
@@ -20,8 +21,12 @@ struct FieldsJob {
   SurfaceRequest surface;
   std::string output;
   OtherFields others;
+  OcclusionRequest occlusion;  ///< of `others`: ordinates, and for openness their transport
   RunOptions run;
 };
+
+/// UsageError for options that contradict each other or the fields that are wanted.
+void checkFields(const FieldsJob& job);
 
 /// Nothing is written unless all went well. UsageError if the input is a fields file already.
 void runFieldsJob(const FieldsJob& job);

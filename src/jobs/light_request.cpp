@@ -74,6 +74,12 @@ const char* givenOption(const LightingRequest& request) {
                                         : nullptr;
 }
 
+const char* beyondEvenSky(const LightingRequest& request) {
+  LightingRequest even = request;
+  even.exposure = 0;
+  return request.freePathShare && !request.opacity ? "--preset translucent without --opacity" : givenOption(even);
+}
+
 void checkLighting(const LightingRequest& request, OcclusionMethod method) {
   if (request.rotationDegrees && request.environment.empty())
     throw UsageError("--environment-rotation: expected --environment beside it");

@@ -66,6 +66,9 @@ inline constexpr double kTranslucentShare = 0.03;
 /// Whether light is openness and nothing else: one white sky, no reflection, an opaque solid.
 bool isPlain(const LightingRequest& request);
 
+/// The first option that asks for more than an even white sky of any exposure, or nullptr.
+const char* beyondEvenSky(const LightingRequest& request);
+
 /// Whether light comes through the solid.
 bool isTranslucent(const LightingRequest& request);
 

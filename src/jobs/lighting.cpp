@@ -19,6 +19,7 @@
 #include "sweep/ordinates/sky_ordinates.h"
 #include "sweep/ordinates/translucency.h"
 #include "sweep/rotated_shadow.h"
+#include "sweep/transport/transport_sweep.h"
 
 namespace isolume {
 namespace {
@@ -252,6 +253,14 @@ SweptLighting sweepLighting(const LightingRequest& request, const OrdinateOption
   if (request.thickness) sweep.addThickness();
   if (request.bent) sweep.addBentNormals();
   return sweep.take();
+}
+
+SweptLighting sweepEvenSky(const TransportOptions& transport, double exposure, const SweptScene& scene) {
+  SweptLighting swept;
+  swept.fields.push_back({sweepTransport(scene.surface.level.view(), scene.swept.distance.view(), transport), 1});
+  swept.uses.push_back({.values = {}, .full = 1});
+  swept.colors.push_back(glm::vec3(static_cast<float>(std::exp2(exposure))));
+  return swept;
 }
 
 }  // namespace isolume

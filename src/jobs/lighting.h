@@ -12,6 +12,7 @@
 #include "src/jobs/surface.h"
 #include "sweep/ordinates/light_sweeps.h"
 #include "sweep/ordinates/openness_sweep.h"
+#include "sweep/transport/openness_transport.h"
 
 namespace isolume {
 
@@ -32,5 +33,8 @@ struct SweptLighting {
 /// Everything by ordinates. The scene has its level and distances. `map` if the request names one.
 SweptLighting sweepLighting(const LightingRequest& request, const OrdinateOptions& ordinates, const EnvironmentMap* map,
                             const SweptScene& scene, const Camera& camera, glm::vec3 albedo);
+
+/// The same for an even white sky, and nothing else, by ordinates that are swept as light.
+SweptLighting sweepEvenSky(const TransportOptions& transport, double exposure, const SweptScene& scene);
 
 }  // namespace isolume

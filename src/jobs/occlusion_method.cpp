@@ -30,12 +30,53 @@ constexpr std::array<std::pair<OcclusionMethod, const char*>, 5> kNames{{{Occlus
                                                                          {OcclusionMethod::ordinates, "ordinates"},
                                                                          {OcclusionMethod::none, "none"}}};
 
+template <class Value, std::size_t kCount>
+std::string nameIn(const std::array<std::pair<Value, const char*>, kCount>& names, Value value) {
+  return std::find_if(names.begin(), names.end(), [value](const auto& each) { return each.first == value; })->second;
+}
+
+constexpr std::array<std::pair<OcclusionTransport, const char*>, 3> kTransportNames{
+    {{OcclusionTransport::rays, "rays"},
+     {OcclusionTransport::step, "step"},
+     {OcclusionTransport::characteristic, "characteristic"}}};
+
+constexpr std::array<std::pair<Transmittance, const char*>, 3> kTransmittanceNames{
+    {{Transmittance::centred, "centred"},
+     {Transmittance::inside, "inner"},
+     {Transmittance::insideByLength, "inner-power"}}};
+
+const char* givenTransport(const OcclusionRequest& request) {
+  return request.transport ? "--transport" : request.transmittance ? "--transmittance" : nullptr;
+}
+
+void checkTransport(const OcclusionRequest& request) {
+  const char* given = givenTransport(request);
+  if (given && request.method.value_or(OcclusionMethod::ordinates) != OcclusionMethod::ordinates)
+    throw UsageError(fmt::format("{}: expected --occlusion ordinates beside it, or none, found {}", given,
+                                 occlusionName(*request.method)));
+  const OcclusionTransport transport = request.transport.value_or(OcclusionTransport::rays);
+  if (transport == OcclusionTransport::rays) {
+    if (request.transmittance)
+      throw UsageError(fmt::format("--transmittance: expected --transport step or characteristic beside it, found {}",
+                                   request.transport ? "rays" : "none"));
+    return;
+  }
+  const std::string name = transportName(transport);
+  if (request.quality || request.error)
+    throw UsageError(fmt::format("{}: expected --transport rays beside it, found {}, which has no calibrated error",
+                                 request.quality ? "--quality" : "--error", name));
+  if (request.refinement.value_or(1) != 1)
+    throw UsageError(fmt::format("--refinement: expected 1 beside --transport {}, which sweeps voxels, found {}", name,
+                                 *request.refinement));
+}
+
 void checkCompatible(const OcclusionRequest& request) {
   const int knobs = (request.ordinates ? 1 : 0) + (request.quality ? 1 : 0) + (request.error ? 1 : 0);
   if (knobs > 1)
     throw UsageError("expected one of --ordinates, --quality and --error: each alone settles how exact openness is");
   if (request.refinement && !request.ordinates)
     throw UsageError("--refinement: expected --ordinates beside it; --quality and --error choose both");
+  checkTransport(request);
   const char* ofOctants = request.offset ? "--occlusion-offset" : request.openPlane ? "--octant-terms" : nullptr;
   if (!request.method) {
     if (ofOctants)
@@ -95,6 +136,24 @@ OcclusionSetting withOrdinates(const OcclusionRequest& request, const std::vecto
   return setting;
 }
 
+OcclusionSetting withTransport(const OcclusionRequest& request) {
+  TransportOptions transport;
+  transport.ordinates = request.ordinates.value_or(transport.ordinates);
+  const bool step = *request.transport == OcclusionTransport::step;
+  transport.scheme = step ? TransportScheme::step : TransportScheme::characteristic;
+  transport.transmittance = request.transmittance.value_or(step ? Transmittance::inside : Transmittance::centred);
+  OcclusionSetting setting;
+  setting.ordinates = {.ordinates = transport.ordinates, .refinement = 1};
+  setting.transport = transport;
+  return setting;
+}
+
+OcclusionTransport transportOf(const OcclusionSetting& setting) {
+  if (!setting.transport) return OcclusionTransport::rays;
+  return setting.transport->scheme == TransportScheme::step ? OcclusionTransport::step
+                                                            : OcclusionTransport::characteristic;
+}
+
 OcclusionMethod methodNamed(const std::string& name) {
   for (const auto& [method, known] : kNames)
     if (name == known) return method;
@@ -103,10 +162,11 @@ OcclusionMethod methodNamed(const std::string& name) {
 
 }  // namespace
 
-std::string occlusionName(OcclusionMethod method) {
-  return std::find_if(kNames.begin(), kNames.end(), [method](const auto& each) { return each.first == method; })
-      ->second;
-}
+std::string occlusionName(OcclusionMethod method) { return nameIn(kNames, method); }
+
+std::string transportName(OcclusionTransport transport) { return nameIn(kTransportNames, transport); }
+
+std::string transmittanceName(Transmittance transmittance) { return nameIn(kTransmittanceNames, transmittance); }
 
 bool byOctants(OcclusionMethod method) {
   return method == OcclusionMethod::singh10 || method == OcclusionMethod::octants ||
@@ -156,6 +216,7 @@ OcclusionSetting chooseOcclusion(const OcclusionRequest& request, const std::vec
         setting.error = each.setting.error;
     return setting;
   }
+  if (request.transport.value_or(OcclusionTransport::rays) != OcclusionTransport::rays) return withTransport(request);
   if (request.ordinates) return withOrdinates(request, calibration);
   const Settings settings = candidates(request, calibration);
   if (request.error) return cheapest(settings, *request.error);
@@ -164,12 +225,23 @@ OcclusionSetting chooseOcclusion(const OcclusionRequest& request, const std::vec
   return cheapest(settings, quality == OcclusionQuality::draft ? kDraftError : kGoodError);
 }
 
+void needRays(const OcclusionSetting& setting, const std::string& option) {
+  if (setting.transport)
+    throw UsageError(
+        fmt::format("{}: expected --transport rays beside it, found {}", option, transportName(transportOf(setting))));
+}
+
 nlohmann::ordered_json occlusionSettings(const OcclusionSetting& setting) {
   nlohmann::ordered_json settings;
   settings["occlusion"] = occlusionName(setting.method);
   if (setting.method == OcclusionMethod::ordinates) {
     settings["ordinates"] = setting.ordinates.ordinates;
-    settings["refinement"] = setting.ordinates.refinement;
+    if (setting.transport) {
+      settings["transport"] = transportName(transportOf(setting));
+      settings["transmittance"] = transmittanceName(setting.transport->transmittance);
+    } else {
+      settings["refinement"] = setting.ordinates.refinement;
+    }
   } else if (setting.method == OcclusionMethod::singh10 || setting.method == OcclusionMethod::octants) {
     settings["occlusion-offset"] = setting.offset;
     if (setting.openPlane) settings["octant-terms"] = kOpenPlaneTerms;
@@ -185,7 +257,7 @@ const char* givenOption(const OcclusionRequest& request) {
          : request.refinement ? "--refinement"
          : request.offset     ? "--occlusion-offset"
          : request.openPlane  ? "--octant-terms"
-                              : nullptr;
+                              : givenTransport(request);
 }
 
 }  // namespace isolume

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sweep/ordinates/openness_sweep.h"
+#include "sweep/transport/openness_transport.h"
 
 namespace isolume {
 
@@ -25,6 +26,13 @@ enum class OcclusionMethod {
 /// Bounds on the calibrated error: draft .05, good .02; best is the least that there is, or within a twentieth of it.
 enum class OcclusionQuality { draft, good, best };
 
+/// How ordinates go through the grid.
+enum class OcclusionTransport {
+  rays,            ///< parallel rays of one bit (sweep/ordinates)
+  step,            ///< light from voxel to voxel (sweep/transport), TransportScheme::step
+  characteristic,  ///< TransportScheme::characteristic
+};
+
 struct OcclusionRequest {
   std::optional<OcclusionMethod> method = {};    ///< default: what the others lead to, at last ordinates
   std::optional<int> ordinates = {};             ///< at most one of these three
@@ -33,14 +41,17 @@ struct OcclusionRequest {
   std::optional<int> refinement = {};            ///< lattice points per voxel; with `ordinates`
   std::optional<double> offset = {};             ///< voxels above the surface; singh10 and octants
   std::optional<bool> openPlane = {};            ///< divided by what an open plane gives; singh10 and octants
+  std::optional<OcclusionTransport> transport = {};  ///< of ordinates; default: rays
+  std::optional<Transmittance> transmittance = {};   ///< default: inside with step, centred with characteristic
 };
 
 struct OcclusionSetting {
   OcclusionMethod method = OcclusionMethod::ordinates;
   OrdinateOptions ordinates;
-  double offset = 0;            ///< of octants, voxels
-  bool openPlane = false;       ///< of octants, sweep/open_plane.h
-  std::optional<double> error;  ///< calibrated, if the setting was
+  double offset = 0;                          ///< of octants, voxels
+  bool openPlane = false;                     ///< of octants, sweep/open_plane.h
+  std::optional<TransportOptions> transport;  ///< with ordinates: in place of rays, and as many
+  std::optional<double> error;                ///< calibrated, if the setting was
 };
 
 struct CalibratedSetting {
@@ -57,10 +68,15 @@ const std::vector<CalibratedSetting>& occlusionCalibration();
 OcclusionSetting chooseOcclusion(const OcclusionRequest& request,
                                  const std::vector<CalibratedSetting>& calibration = occlusionCalibration());
 
+/// UsageError for what only rays serve, `option`, beside another transport.
+void needRays(const OcclusionSetting& setting, const std::string& option);
+
 /// As options of the command line, and the calibrated error: {"occlusion": "ordinates", "ordinates": 512, ...}.
 nlohmann::ordered_json occlusionSettings(const OcclusionSetting& setting);
 
 std::string occlusionName(OcclusionMethod method);
+std::string transportName(OcclusionTransport transport);
+std::string transmittanceName(Transmittance transmittance);
 
 /// Whether eight octants are swept.
 bool byOctants(OcclusionMethod method);

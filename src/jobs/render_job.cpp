@@ -142,8 +142,9 @@ SweptLighting lightScene(const RenderJob& job, const OcclusionSetting& occlusion
   request.bent = job.layers.bent;
   request.thickness = job.layers.thickness;
   log.begin("visibility", fmt::format("sweeping {} ordinates over {}", occlusion.ordinates.ordinates, gridText(scene)));
-  SweptLighting lighting = sweepsBent(job.screen)
-                               ? sweepForScreen(occlusion.ordinates, scene)
+  SweptLighting lighting = sweepsBent(job.screen) ? sweepForScreen(occlusion.ordinates, scene)
+                           : occlusion.transport
+                               ? sweepEvenSky(*occlusion.transport, job.light.exposure, scene)
                                : sweepLighting(request, occlusion.ordinates, map, scene, camera, job.albedo.linear);
   log.end(lighting.bytes());
   return lighting;

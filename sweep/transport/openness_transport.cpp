@@ -9,8 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "light_row.h"
-#include "sweep/octants.h"
-#include "sweep/ordinates/ordinate_set.h"
+#include "ordinate_groups.h"
 #include "sweep/parallel.h"
 
 namespace isolume {
@@ -19,33 +18,10 @@ namespace {
 // Units of a sum: a term is at most 1, and 2^23 of them fit.
 constexpr double kUnit = 0x1p40;
 
-// Ordinates of one octant.
-struct Group {
-  glm::ivec3 sweep{1};  // away from the light
-  std::vector<glm::dvec3> directions;
-};
-
-std::vector<Group> groupsOf(int ordinates) {
-  std::vector<Group> groups;
-  for (const Octant& octant : kOctants) {
-    Group group{octant.sweep, {}};
-    for (const glm::dvec3& direction : ordinateDirections(ordinates)) {
-      const glm::ivec3 away(direction.x < 0 ? 1 : -1, direction.y < 0 ? 1 : -1, direction.z < 0 ? 1 : -1);
-      if (away != octant.sweep) continue;
-      group.directions.push_back(direction);
-      if (group.directions.size() < kOrdinateGroup) continue;
-      groups.push_back(group);
-      group.directions.clear();
-    }
-    if (!group.directions.empty()) groups.push_back(group);
-  }
-  return groups;
-}
-
 // One group on its way through the grid.
 class GroupSweep {
  public:
-  GroupSweep(GridView<const float> distance, const Group& group, const TransportOptions& options)
+  GroupSweep(GridView<const float> distance, const OrdinateGroup& group, const TransportOptions& options)
       : distance_(distance), group_(group), model_(options.transmittance), size_(distance.size) {
     for (std::size_t k = 0; k < group.directions.size(); ++k) {
       const UpwindWeights weights = upwindWeights(options.scheme, group.directions[k], distance.spacing);
@@ -94,7 +70,7 @@ class GroupSweep {
   std::ptrdiff_t rowStride() const { return static_cast<std::ptrdiff_t>(size_.x + 1) * kOrdinateGroup; }
 
   GridView<const float> distance_;
-  const Group& group_;
+  const OrdinateGroup& group_;
   Transmittance model_;
   glm::ivec3 size_;
   LightRow row_;
@@ -130,10 +106,10 @@ std::vector<float> transportOpenness(GridView<const float> distance, const std::
     ofLayer[static_cast<std::size_t>(places[i].low.z)].push_back(i);
   }
 
-  const std::vector<Group> groups = groupsOf(options.ordinates);
+  const std::vector<OrdinateGroup> groups = ordinateGroups(options.ordinates, kOrdinateGroup);
   std::vector<std::atomic<std::int64_t>> open(points.size()), all(points.size());
   parallelFor(groups.size(), [&](std::size_t g) {
-    const Group& group = groups[g];
+    const OrdinateGroup& group = groups[g];
     GroupSweep sweep(distance, group, options);
     for (int order = 0; order < size.z; ++order) {
       sweep.sweepPlane(order);

@@ -1,6 +1,6 @@
 // Openness at given points by ordinates that are swept as light, voxel by voxel, with any scheme and transmittance
-// (scheme.h): the classical discrete ordinates ([Singh10] with more directions than eight), kept as a check of the rays
-// of sweep/ordinates and to measure what diffusion costs.
+// (scheme.h): the classical discrete ordinates ([Singh10] with more directions than eight), in floats: the check of
+// fixed_transport.h, which pictures take.
 //
 //   A = sum_k V_k max(N . w_k, 0) / sum_k max(N . w_k, 0),
 // w_k the directions of ordinate_set.h, V_k trilinear at the point, `offsetVoxels` above it along N in index space. The

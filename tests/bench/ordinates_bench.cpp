@@ -1,9 +1,10 @@
-// Openness by ordinates: rays as bits against the scalar sweep of [Singh10] Eq. 6 along one ordinate.
+// Openness by ordinates: rays as bits, and light from voxel to voxel in 15 bits (`transported`: step, inner ramp),
+// against the scalar sweep of [Singh10] Eq. 6 along one ordinate.
 //
 // Held fixed: the scene (gyroid), and the distance, swept beforehand. Items are voxels times ordinates, so that
-// items_per_second compares both; arguments: samples along each axis, ordinates, refinement, threads. The time of
-// `openness` holds everything from the level and the distance to the result. What it is worth: its error is in
-// src/jobs/occlusion_calibration.json (report_calibration).
+// items_per_second compares all; arguments: samples along each axis, ordinates, refinement (rays only), threads. The
+// time of `openness` and `transported` holds everything from the level and the distance to the result. What it is
+// worth: its error is in src/jobs/occlusion_calibration.json (report_calibration).
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -14,6 +15,7 @@
 #include "sweep/ordinates/openness_sweep.h"
 #include "sweep/ordinates/ordinate_set.h"
 #include "sweep/parallel.h"
+#include "sweep/transport/transport_sweep.h"
 #include "volumes/scenes.h"
 
 namespace isolume {
@@ -52,6 +54,25 @@ BENCHMARK(openness)
     ->Args({256, 1024, 2, 2})
     ->Args({512, 128, 1, 2})
     ->Args({512, 512, 1, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void transported(benchmark::State& state) {
+  const SweptLevel scene(static_cast<int>(state.range(0)));
+  const TransportOptions options{.ordinates = static_cast<int>(state.range(1))};
+  setThreadCount(static_cast<int>(state.range(2)));
+  for (auto _ : state) {
+    SurfaceField swept = sweepTransport(scene.level.view(), scene.distance.view(), options);
+    benchmark::DoNotOptimize(&swept);
+  }
+  setThreadCount(0);
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.level.count()) * options.ordinates);
+}
+BENCHMARK(transported)
+    ->Args({256, 72, 1})
+    ->Args({256, 128, 1})
+    ->Args({256, 128, 2})
+    ->Args({256, 512, 1})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

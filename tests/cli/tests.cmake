@@ -20,6 +20,7 @@ isolume_test(test_cli
   cli/screen_options_test.cpp
   cli/suggest_test.cpp
   cli/terminal_test.cpp
+  cli/transport_options_test.cpp
   LIBS isolume_app fmt::fmt)
 target_compile_definitions(test_cli PRIVATE ISOLUME_PROGRAM="$<TARGET_FILE:isolume>")
 add_dependencies(test_cli isolume)

@@ -7,6 +7,7 @@ isolume_test(test_sweep
   unit/distance_peak_test.cpp
   unit/distance_test.cpp
   unit/fixed_point_test.cpp
+  unit/fixed_transport_test.cpp
   unit/band_test.cpp
   unit/rotated_shadow_test.cpp
   unit/transport_test.cpp
