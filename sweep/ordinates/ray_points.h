@@ -34,7 +34,7 @@ class RayPoints {
   /// in one sense, or none, and the others by how their normals tilt and turn: so those that face away from a
   /// direction stand together. A counting sort in fixed chunks: the order does not depend on the number of threads.
   /// Threaded.
-  void sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis);
+  void sort(const FootChunks& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis);
 
   std::size_t count() const { return count_; }
   const float* bit() const { return values(0); }  ///< position, lattice points
