@@ -163,7 +163,6 @@ void interpolatedRowOnTarget(const FootFields& fields, int y, int z, const std::
   const IntTag di;
   const FootReader reader(fields, y, z);
   const glm::ivec3 size = fields.level.size;
-  interpolated.resize(x.size());
   // Rows and layers relative to those of the sample: no offset is too long for a lane.
   const auto* givenRow = reinterpret_cast<const std::int32_t*>(from.given.row(y, z));
   const auto* memberRow = reinterpret_cast<const std::int32_t*>(from.feet.bits().row(y, z));
@@ -226,12 +225,13 @@ HWY_EXPORT(interpolatedRowOnTarget);
 
 void addFeet(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
              std::vector<SurfaceFoot>& feet) {
-  HWY_DYNAMIC_DISPATCH(addFeetOnTarget)(fields, y, z, x, feet);
+  if (!x.empty()) HWY_DYNAMIC_DISPATCH(addFeetOnTarget)(fields, y, z, x, feet);
 }
 
 void interpolatedRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x, const FootValues& from,
                      std::vector<std::int32_t>& interpolated) {
-  HWY_DYNAMIC_DISPATCH(interpolatedRowOnTarget)(fields, y, z, x, from, interpolated);
+  interpolated.resize(x.size());
+  if (!x.empty()) HWY_DYNAMIC_DISPATCH(interpolatedRowOnTarget)(fields, y, z, x, from, interpolated);
 }
 
 }  // namespace isolume

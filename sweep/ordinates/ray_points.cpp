@@ -51,6 +51,7 @@ void RayPoints::sort(const FootChunks& feet, const SolidLattice& lattice, glm::d
   };
   const std::size_t keys = static_cast<std::size_t>(layers) * kKinds;
   std::vector<std::vector<std::uint32_t>> next(feet.chunks());
+  const auto keyOfFoot = makeLargeArray<std::uint32_t>(feet.count());
   // visit(i, foot) for each of a chunk.
   const auto forEach = [&](std::size_t chunk, const auto& visit) {
     std::vector<SurfaceFoot> own;
@@ -60,7 +61,10 @@ void RayPoints::sort(const FootChunks& feet, const SolidLattice& lattice, glm::d
   };
   parallelFor(feet.chunks(), [&](std::size_t chunk) {
     next[chunk].assign(keys, 0);
-    forEach(chunk, [&](std::size_t, const SurfaceFoot& foot) { ++next[chunk][keyOf(foot)]; });
+    forEach(chunk, [&](std::size_t i, const SurfaceFoot& foot) {
+      keyOfFoot[i] = static_cast<std::uint32_t>(keyOf(foot));
+      ++next[chunk][keyOfFoot[i]];
+    });
   });
   layerBegin_.assign(static_cast<std::size_t>(layers) + 1, feet.count());
   std::uint32_t begin = 0;
@@ -74,7 +78,7 @@ void RayPoints::sort(const FootChunks& feet, const SolidLattice& lattice, glm::d
   }
   parallelFor(feet.chunks(), [&](std::size_t chunk) {
     forEach(chunk, [&](std::size_t i, const SurfaceFoot& foot) {
-      const std::size_t to = next[chunk][keyOf(foot)]++;
+      const std::size_t to = next[chunk][keyOfFoot[i]]++;
       const glm::vec3 position = ordered(foot.position * scale), normal = ordered(foot.normal);
       for (int k = 0; k < 3; ++k) {
         values(k)[to] = position[k];

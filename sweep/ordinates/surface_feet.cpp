@@ -12,8 +12,8 @@
 namespace isolume {
 namespace {
 
-// Feet of a chunk, and more by less than a layer's.
-constexpr std::size_t kChunk = 1 << 15;
+// Feet of a chunk, but for those of its last layer.
+constexpr std::size_t kChunk = 1 << 14;
 
 template <class Visit>
 void forEachLayerOf(const BitGrid& grid, const Visit& visit) {

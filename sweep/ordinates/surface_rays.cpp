@@ -75,13 +75,13 @@ const RayPoints& SurfaceRays::ordered(int axis, RayPoints& room) const {
 std::vector<std::int32_t> SurfaceRays::sumGroups(const std::vector<Ordinate>& ordinates, int channels, int most,
                                                  const GroupSweep& sweep) const {
   const std::size_t feet = count(), stride = feet + kRayPadding, all = static_cast<std::size_t>(channels);
-  FootSums shared(stride * all);
   std::vector<std::int32_t> whole(feet * all, 0);
   RayPoints room(kept_.empty() ? feet : 0);
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<RayGroup> groups = rayGroups(axis, ordinates, cell(), most);
     const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
     const RayPoints& points = ordered(axis, room);
+    FootSums shared(stride * all);
     parallelFor(groups.size(), [&](std::size_t i) {
       std::vector<std::int32_t> own = shared.take();
       sweep(axis, layers, points, groups[i], static_cast<std::ptrdiff_t>(stride), own.data());
