@@ -3,16 +3,15 @@
 // size at that of a sweep.
 #pragma once
 
-#include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "sweep/grid.h"
+#include "sweep/ordinates/surface_field.h"
 
 namespace isolume {
 
 /// One number per sample: E / pi of a light of colour 1, or the visible share of a disc of light.
 struct LightField {
-  GridView<const std::uint16_t> values;  ///< SurfaceField::padded(); borrowed while it is uploaded
+  const SurfaceField* values = nullptr;  ///< borrowed while it is uploaded
   float full = 1;                        ///< what 65535 stands for
   bool everywhere = false;               ///< a value at every sample: interpolated without a look at the surface
   glm::dvec3 direction{0};               ///< of a disc: towards its centre, world, any length but 0

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "clearance.h"
@@ -37,6 +38,20 @@ std::vector<std::uint16_t> packDistance(GridView<const float> distance) {
   return out;
 }
 
+// Samples and caps, some layers at a time.
+GlTexture uploadField(const SurfaceField& field) {
+  const glm::ivec3 size = field.paddedSize();
+  constexpr std::size_t kStagingBytes = 4 << 20;  // less than a 16th of the texture at 256^3, and many calls' work
+  const std::size_t layer = voxelCount({size.x, size.y, 1});
+  const auto layers = static_cast<int>(
+      std::clamp<std::size_t>(kStagingBytes / (layer * sizeof(std::uint16_t)), 1, static_cast<std::size_t>(size.z)));
+  std::vector<std::uint16_t> staging(layer * static_cast<std::size_t>(layers));
+  return makeTextureSlices("light", size, kR16, GL_NEAREST, layers, [&](int begin, int end) {
+    field.copyLayers(begin, end, staging.data());
+    return static_cast<const void*>(staging.data());
+  });
+}
+
 }  // namespace
 
 SceneTextures uploadScene(const SceneFields& fields) {
@@ -67,9 +82,9 @@ SceneTextures uploadScene(const SceneFields& fields) {
     throw GpuError(
         fmt::format("lights: expected at most {} fields, found {}", shader::kMostLightFields, fields.lights.size()));
   for (LightField field : fields.lights) {
-    checkSize("light", field.values.size - 2, size);
-    scene.lights.push_back(makeTextureSlices("light", field.values.size, kR16, GL_NEAREST, field.values.data));
-    field.values = {};
+    const SurfaceField& values = *std::exchange(field.values, nullptr);
+    checkSize("light", values.size(), size);
+    scene.lights.push_back(uploadField(values));
     scene.lightFields.push_back(field);
   }
   if (fields.color) scene.colors = SurfaceColors(*fields.color, fields.worldFromGrid);

@@ -47,7 +47,7 @@ void setSampling(GLuint texture, GLint filter) {
 }
 
 GlTexture makeVolume(GLenum target, GLenum proxy, const std::string& what, glm::ivec3 size, const TexelFormat& format,
-                     GLint filter, const void* texels) {
+                     GLint filter, int most, const SliceSource& slices) {
   glTexImage3D(proxy, 0, static_cast<GLint>(format.internal), size.x, size.y, size.z, 0, format.format, format.type,
                nullptr);
   GLint width = 0;
@@ -59,8 +59,12 @@ GlTexture makeVolume(GLenum target, GLenum proxy, const std::string& what, glm::
   checkAllocated(what, size, format);
   setSampling(texture.name(), filter);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage3D(texture.name(), 0, 0, 0, 0, size.x, size.y, size.z, format.format, format.type, texels);
-  checkAllocated(what, size, format);
+  for (int begin = 0; begin < size.z; begin += most) {
+    const int end = std::min(begin + most, size.z);
+    glTextureSubImage3D(texture.name(), 0, 0, 0, begin, size.x, size.y, end - begin, format.format, format.type,
+                        slices(begin, end));
+    checkAllocated(what, size, format);
+  }
   return texture;
 }
 
@@ -70,15 +74,21 @@ GlTexture makeTexture3D(const std::string& what, glm::ivec3 size, const TexelFor
                         const void* texels) {
   checkGl("before the " + what + " texture");
   checkExtent(what, size, std::max({size.x, size.y, size.z}), GL_MAX_3D_TEXTURE_SIZE, format);
-  return makeVolume(GL_TEXTURE_3D, GL_PROXY_TEXTURE_3D, what, size, format, filter, texels);
+  return makeVolume(GL_TEXTURE_3D, GL_PROXY_TEXTURE_3D, what, size, format, filter, size.z,
+                    [texels](int, int) { return texels; });
+}
+
+GlTexture makeTextureSlices(const std::string& what, glm::ivec3 size, const TexelFormat& format, GLint filter, int most,
+                            const SliceSource& slices) {
+  checkGl("before the " + what + " texture");
+  checkExtent(what, size, std::max(size.x, size.y), GL_MAX_TEXTURE_SIZE, format);
+  checkExtent(what, size, size.z, GL_MAX_ARRAY_TEXTURE_LAYERS, format);
+  return makeVolume(GL_TEXTURE_2D_ARRAY, GL_PROXY_TEXTURE_2D_ARRAY, what, size, format, filter, most, slices);
 }
 
 GlTexture makeTextureSlices(const std::string& what, glm::ivec3 size, const TexelFormat& format, GLint filter,
                             const void* texels) {
-  checkGl("before the " + what + " texture");
-  checkExtent(what, size, std::max(size.x, size.y), GL_MAX_TEXTURE_SIZE, format);
-  checkExtent(what, size, size.z, GL_MAX_ARRAY_TEXTURE_LAYERS, format);
-  return makeVolume(GL_TEXTURE_2D_ARRAY, GL_PROXY_TEXTURE_2D_ARRAY, what, size, format, filter, texels);
+  return makeTextureSlices(what, size, format, filter, size.z, [texels](int, int) { return texels; });
 }
 
 GlTexture makeTexture2D(const std::string& what, glm::ivec2 size, const TexelFormat& format, GLint filter,

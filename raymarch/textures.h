@@ -1,6 +1,7 @@
 // Making textures, with every way in which a driver may refuse them turned into a GpuError with numbers.
 #pragma once
 
+#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
@@ -31,6 +32,11 @@ GlTexture makeTexture3D(const std::string& what, glm::ivec3 size, const TexelFor
 /// come with each lookup a software frame is a sixth faster. Nearest lookups are cheaper there as well.
 GlTexture makeTextureSlices(const std::string& what, glm::ivec3 size, const TexelFormat& format, GLint filter,
                             const void* texels);
+/// The same from up to `most` slices at a time: slices(begin, end) is called in order, and gives texels that are valid
+/// until its next call.
+using SliceSource = std::function<const void*(int begin, int end)>;
+GlTexture makeTextureSlices(const std::string& what, glm::ivec3 size, const TexelFormat& format, GLint filter, int most,
+                            const SliceSource& slices);
 /// One image, otherwise the same. `texels` may be nullptr: undefined content, to be drawn into.
 GlTexture makeTexture2D(const std::string& what, glm::ivec2 size, const TexelFormat& format, GLint filter,
                         const void* texels);

@@ -166,7 +166,7 @@ class LightingSweep {
     const glm::dvec3 world = sunDirection(sun, cameraAxes(camera_)), direction = axesFromWorld() * world;
     open_ += color;
     if (sun.shadow == SunShadow::turned) {
-      const LightField use{.values = {}, .everywhere = true, .direction = world, .radiusDegrees = kPointDegrees};
+      const LightField use{.everywhere = true, .direction = world, .radiusDegrees = kPointDegrees};
       const Grid<std::uint16_t> shadow = sweepRotatedShadow(distance_, direction);
       addField({surfaceField(shadow.view()), 1}, color, use);
     }
@@ -176,7 +176,7 @@ class LightingSweep {
     const double radius = soft ? sun.radiusDegrees.value_or(kSunDegrees) : kPointDegrees;
     SurfaceLight disc = sweepDisc(rays_, direction, radius, soft ? discOrdinates(radius) : 1);
     addDirect(disc.light, color);
-    if (soft) addField(std::move(disc.field), color, {.values = {}, .direction = world, .radiusDegrees = radius});
+    if (soft) addField(std::move(disc.field), color, {.direction = world, .radiusDegrees = radius});
   }
 
   const LightingRequest& request_;
@@ -230,15 +230,14 @@ SurfaceRays::Orders ordersFor(const LightingRequest& request, bool mapped) {
   return single ? SurfaceRays::Orders::remade : SurfaceRays::Orders::kept;
 }
 
-std::size_t fieldBytes(const SurfaceField& field) { return field.padded().count() * sizeof(std::uint16_t); }
-
 }  // namespace
 
 std::size_t SweptLighting::bytes() const {
   std::size_t bytes = 0;
-  for (const SweptLight& field : fields) bytes += fieldBytes(field.values);
-  if (thickness) bytes += fieldBytes(thickness->values);
-  if (bent) bytes += 3 * fieldBytes(bent->front());
+  for (const SweptLight& field : fields) bytes += field.values.bytes();
+  if (thickness) bytes += thickness->values.bytes();
+  if (bent)
+    for (const SurfaceField& component : *bent) bytes += component.bytes();
   return bytes;
 }
 

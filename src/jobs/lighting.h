@@ -18,7 +18,7 @@ namespace isolume {
 
 struct EnvironmentMap;
 
-/// What the renderer takes, exposure applied. 2 bytes per voxel and field.
+/// What the renderer takes, exposure applied. Fields as of surface_field.h: 2 bytes per number.
 struct SweptLighting {
   std::vector<SweptLight> fields;
   std::vector<LightField> uses;   ///< of each field

@@ -87,7 +87,7 @@ SceneFields sceneFields(const SweptScene& scene, const SweptLighting& lighting,
     if (!scene.swept.visibility.packed[i].empty()) fields.octants[i] = scene.swept.visibility.packed[i].view();
   for (std::size_t i = 0; i < lighting.fields.size(); ++i) {
     fields.lights.push_back(lighting.uses[i]);
-    fields.lights.back().values = lighting.fields[i].values.padded();
+    fields.lights.back().values = &lighting.fields[i].values;
   }
   if (coloring) fields.color = coloring->field();
   return fields;
@@ -110,7 +110,7 @@ SweptLighting combinedLight(const LightingRequest& request, OctantVisibility& vi
   SweptLighting lighting;
   lighting.fields.push_back({surfaceField(visibility.combined.view()), sum / (kOctantCount / 2)});
   visibility.combined = {};
-  lighting.uses.push_back({.values = {}, .full = lighting.fields[0].full, .everywhere = true});
+  lighting.uses.push_back({.full = lighting.fields[0].full, .everywhere = true});
   lighting.colors.push_back(glm::vec3(1));
   return lighting;
 }
@@ -119,7 +119,7 @@ SweptLighting combinedLight(const LightingRequest& request, OctantVisibility& vi
 std::size_t textureBytes(const SceneFields& fields) {
   constexpr std::size_t kLevelBytes = 4, kClearanceBytes = 1, kDistanceBytes = 2, kOctantsBytes = 8, kLightBytes = 2;
   std::size_t lights = 0;
-  for (const LightField& field : fields.lights) lights += field.values.count();
+  for (const LightField& field : fields.lights) lights += voxelCount(field.values->paddedSize());
   return fields.level.count() * (kLevelBytes + kClearanceBytes + (fields.distance.data ? kDistanceBytes : 0) +
                                  (fields.octants[0].data ? kOctantsBytes : 0)) +
          lights * kLightBytes + (fields.color ? fields.color->places.count() * sizeof(float) : 0);

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "surface_feet.h"
-#include "surface_field.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/ordinates/foot_rows.cpp"
@@ -119,11 +118,12 @@ void forEachVector(const std::vector<std::int32_t>& x, const Visit& visit) {
   }
 }
 
-void footRowOnTarget(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
+void addFeetOnTarget(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
                      std::vector<SurfaceFoot>& feet) {
   const FloatTag d;
   const FootReader reader(fields, y, z);
-  feet.resize(x.size());
+  const std::size_t first = feet.size();
+  feet.resize(first + x.size());
   HWY_ALIGN float numbers[6][hn::MaxLanes(d)];
   forEachVector(x, [&](std::size_t i, IntVec at) {
     const FootVector foot = reader.read(at);
@@ -132,23 +132,43 @@ void footRowOnTarget(const FootFields& fields, int y, int z, const std::vector<s
       hn::Store(foot.normal[axis], d, numbers[3 + axis]);
     }
     for (std::size_t k = 0; k < std::min(hn::Lanes(d), x.size() - i); ++k)
-      feet[i + k] = {{numbers[0][k], numbers[1][k], numbers[2][k]}, {numbers[3][k], numbers[4][k], numbers[5][k]}};
+      feet[first + i + k] = {{numbers[0][k], numbers[1][k], numbers[2][k]},
+                             {numbers[3][k], numbers[4][k], numbers[5][k]}};
   });
 }
 
+// Where in an array of the members of a set the numbers of two neighbours along x stand.
+struct PairPlace {
+  IntVec number;                  // of the first, or of the next member
+  hn::Mask<IntTag> firstIsThere;  // so that the second's number follows
+};
+
+// By words of 64 samples: the first is at `bit` of word `word`, whose first member has the number first[word].
+PairPlace pairPlace(const std::int32_t* members, const std::int32_t* first, IntVec word, IntVec bit) {
+  const IntTag di;
+  const hn::RebindToUnsigned<IntTag> du;
+  const auto half = hn::Set(di, kWordBits / 2), one = hn::Set(di, 1), halves = hn::Add(word, word);
+  const auto low = hn::GatherIndex(di, members, halves), high = hn::GatherIndex(di, members + 1, halves);
+  const auto inHigh = hn::Gt(bit, hn::Sub(half, one));
+  const auto own = hn::IfThenElse(inHigh, high, low);
+  const auto ownBit = hn::Shl(one, hn::And(bit, hn::Sub(half, one)));
+  const auto count = [&](IntVec bits) { return hn::BitCast(di, hn::PopulationCount(hn::BitCast(du, bits))); };
+  const auto before = hn::Add(count(hn::And(own, hn::Sub(ownBit, one))), hn::IfThenElseZero(inHigh, count(low)));
+  return {hn::Add(hn::GatherIndex(di, first, word), before), hn::TestBit(own, ownBit)};
+}
+
 void interpolatedRowOnTarget(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
-                             const BitGrid& given, const SurfaceField& field, std::vector<std::int32_t>& interpolated) {
+                             const FootValues& from, std::vector<std::int32_t>& interpolated) {
   const FloatTag d;
   const IntTag di;
   const FootReader reader(fields, y, z);
   const glm::ivec3 size = fields.level.size;
-  interpolated.resize(x.size());
   // Rows and layers relative to those of the sample: no offset is too long for a lane.
-  const GridView<const std::uint16_t> values = field.padded();
-  const auto* valueRow = reinterpret_cast<const std::int32_t*>(&values(1, y + 1, z + 1));
-  const auto* givenRow = reinterpret_cast<const std::int32_t*>(given.row(y, z));
-  const int valueStrides[2] = {static_cast<int>(values.strideY() * 2), static_cast<int>(values.strideZ() * 2)};
-  const int givenStride = given.words() * kWordBits / 8, givenStrides[2] = {givenStride, givenStride * size.y};
+  const auto* givenRow = reinterpret_cast<const std::int32_t*>(from.given.row(y, z));
+  const auto* memberRow = reinterpret_cast<const std::int32_t*>(from.feet.bits().row(y, z));
+  const auto* firstRow = reinterpret_cast<const std::int32_t*>(from.feet.firstOf(y, z));
+  const auto* values = reinterpret_cast<const std::int32_t*>(from.values);
+  const int words = from.given.words(), strides[2] = {words, words * size.y};
   const auto one = hn::Set(d, 1.0F);
   HWY_ALIGN std::int32_t results[hn::MaxLanes(di)];
   forEachVector(x, [&](std::size_t i, IntVec at) {
@@ -162,19 +182,22 @@ void interpolatedRowOnTarget(const FootFields& fields, int y, int z, const std::
     FloatVec sum = hn::Zero(d), weights = hn::Zero(d);
     for (int row = 0; row < 4; ++row) {
       const int sides[2] = {row & 1, row >> 1};
-      auto valueAt = hn::ShiftLeft<1>(low[0]), givenAt = hn::ShiftRight<3>(low[0]);
+      auto word = hn::ShiftRight<6>(low[0]);
       auto weight = one;
       for (int k = 0; k < 2; ++k) {
         const auto step = hn::Add(hn::Sub(low[k + 1], hn::Set(di, k == 0 ? y : z)), hn::Set(di, sides[k]));
-        valueAt = hn::Add(valueAt, hn::Mul(step, hn::Set(di, valueStrides[k])));
-        givenAt = hn::Add(givenAt, hn::Mul(step, hn::Set(di, givenStrides[k])));
+        word = hn::Add(word, hn::Mul(step, hn::Set(di, strides[k])));
         weight = hn::Mul(weight, sides[k] != 0 ? part[k + 1] : hn::Sub(one, part[k + 1]));
       }
-      // Both samples of the row: two numbers, two bits.
-      const auto pair = hn::GatherOffset(di, valueRow, valueAt);
-      const auto bits = hn::Shr(hn::GatherOffset(di, givenRow, givenAt), hn::And(low[0], hn::Set(di, 7)));
-      const IntVec numbers[2] = {hn::And(pair, hn::Set(di, 0xffff)),
-                                 hn::And(hn::ShiftRight<16>(pair), hn::Set(di, 0xffff))};
+      const auto bit = hn::And(low[0], hn::Set(di, kWordBits - 1));
+      const PairPlace place = pairPlace(memberRow, firstRow, word, bit);
+      // Both samples of the row: two bits, two numbers.
+      const auto byte = hn::Add(hn::ShiftLeft<3>(word), hn::ShiftRight<3>(bit));
+      const auto bits = hn::Shr(hn::GatherOffset(di, givenRow, byte), hn::And(bit, hn::Set(di, 7)));
+      const auto pair = hn::GatherOffset(di, values, hn::Add(place.number, place.number));
+      const auto next = hn::And(pair, hn::Set(di, 0xffff)),
+                 afterNext = hn::And(hn::ShiftRight<16>(pair), hn::Set(di, 0xffff));
+      const IntVec numbers[2] = {next, hn::IfThenElse(place.firstIsThere, afterNext, next)};
       for (int side = 0; side < 2; ++side) {
         const auto share =
             hn::Add(hn::Mul(weight, side != 0 ? part[0] : hn::Sub(one, part[0])), hn::Set(d, kLeastCornerWeight));
@@ -197,17 +220,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace isolume {
 
-HWY_EXPORT(footRowOnTarget);
+HWY_EXPORT(addFeetOnTarget);
 HWY_EXPORT(interpolatedRowOnTarget);
 
-void footRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
+void addFeet(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
              std::vector<SurfaceFoot>& feet) {
-  HWY_DYNAMIC_DISPATCH(footRowOnTarget)(fields, y, z, x, feet);
+  if (!x.empty()) HWY_DYNAMIC_DISPATCH(addFeetOnTarget)(fields, y, z, x, feet);
 }
 
-void interpolatedRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x, const BitGrid& given,
-                     const SurfaceField& field, std::vector<std::int32_t>& interpolated) {
-  HWY_DYNAMIC_DISPATCH(interpolatedRowOnTarget)(fields, y, z, x, given, field, interpolated);
+void interpolatedRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x, const FootValues& from,
+                     std::vector<std::int32_t>& interpolated) {
+  interpolated.resize(x.size());
+  if (!x.empty()) HWY_DYNAMIC_DISPATCH(interpolatedRowOnTarget)(fields, y, z, x, from, interpolated);
 }
 
 }  // namespace isolume

@@ -5,11 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "sweep/bit_grid.h"
+#include "ranked_bits.h"
 
 namespace isolume {
 
-class SurfaceField;
 struct SurfaceFoot;
 
 /// What the samples of a row know of the surface. Borrowed.
@@ -18,14 +17,21 @@ struct FootFields {
   GridView<const float> distance;  ///< world units
 };
 
-/// The foot of each sample (x[i], y, z): sample - D N, at most a cell's diagonal away, within the grid.
-void footRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
+/// Adds the foot of each sample (x[i], y, z) to `feet`: sample - D N, at most a cell's diagonal away, within the grid.
+void addFeet(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x,
              std::vector<SurfaceFoot>& feet);
 
-/// For each sample (x[i], y, z) what the field holds at the corners of its foot's cell that are `given`, by trilinear
-/// weights; each counts at least a little. Where no corner is given: kNoValue. At least two samples along each axis.
+/// Values of samples that have a foot, by its number. Borrowed.
+struct FootValues {
+  const RankedBits& feet;
+  const BitGrid& given;         ///< those of them whose value is known
+  const std::uint16_t* values;  ///< one after the last is read, and never counts
+};
+
+/// For each sample (x[i], y, z) what the corners of its foot's cell that are `given` hold, by trilinear weights; each
+/// counts at least a little. Where no corner is given: kNoValue. At least two samples along each axis.
 inline constexpr std::int32_t kNoValue = -1;
-void interpolatedRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x, const BitGrid& given,
-                     const SurfaceField& field, std::vector<std::int32_t>& interpolated);
+void interpolatedRow(const FootFields& fields, int y, int z, const std::vector<std::int32_t>& x, const FootValues& from,
+                     std::vector<std::int32_t>& interpolated);
 
 }  // namespace isolume

@@ -14,7 +14,6 @@
 
 namespace isolume {
 
-/// 2 bytes per voxel.
 struct SweptLight {
   SurfaceField values;
   float full = 1;  ///< what 65535 stands for
@@ -46,8 +45,7 @@ std::vector<glm::dvec3> capDirections(glm::dvec3 axis, double radiusDegrees, int
 
 /// Components of the mean open direction, without a cosine, N_b = integral of V w dw / integral of V dw over the
 /// hemisphere about N ([Klehm11] Eq. 2 and 3): its direction is the bent normal, and its length, 1/2 to 1, the cone:
-/// C = (1 - max(0, 2 |N_b| - 1)) pi / 2 (Sec. 3.2). 0: all closed. World axes; 0 and 65535 stand for -1 and 1. 6 bytes
-/// per voxel.
+/// C = (1 - max(0, 2 |N_b| - 1)) pi / 2 (Sec. 3.2). 0: all closed. World axes; 0 and 65535 stand for -1 and 1.
 std::array<SurfaceField, 3> sweepBentNormals(const SurfaceRays& rays, int ordinates, glm::dmat3 worldFromAxes);
 inline float bentComponent(float value) { return value / 32767.5F - 1; }
 

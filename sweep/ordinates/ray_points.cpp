@@ -10,7 +10,7 @@ namespace {
 
 // Facing all rays of one sense, mixed, facing all of the other. Mixed ones by their normals: how much of them is along
 // the layers' axis, and where the rest points, by thirds of quarters.
-constexpr std::size_t kTilts = 4, kTurns = 12, kKinds = 2 + kTilts * kTurns, kChunk = 1 << 15;
+constexpr std::size_t kTilts = 4, kTurns = 12, kKinds = 2 + kTilts * kTurns;
 
 // `cell` and the normal in the order of the axes. From layer to layer a ray moves by one point at most along either of
 // the other axes: where the normal's part along the layers outweighs the other two, all rays of a sense are on one
@@ -39,28 +39,34 @@ RayPoints::RayPoints(std::size_t count)
   for (int i = 0; i < 6; ++i) std::fill_n(values(i) + count, kRayPadding, 0.0F);
 }
 
-void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis) {
+void RayPoints::sort(const FootChunks& feet, const SolidLattice& lattice, glm::dvec3 spacing, int axis) {
   const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
   const int layers = lattice.size[axis];
   const auto ordered = [axes](glm::vec3 v) { return glm::vec3(v[axes.bit], v[axes.row], v[axes.layer]); };
   const glm::vec3 cell = ordered(glm::vec3(spacing));
   const auto scale = static_cast<float>(lattice.refinement);
-  const auto keyOf = [&](std::size_t foot) {
-    const int layer = std::clamp(static_cast<int>(feet[foot].position[axis] * scale), 0, layers - 1);
-    return static_cast<std::size_t>(layer) * kKinds + kindOf(ordered(feet[foot].normal), cell);
+  const auto keyOf = [&](const SurfaceFoot& foot) {
+    const int layer = std::clamp(static_cast<int>(foot.position[axis] * scale), 0, layers - 1);
+    return static_cast<std::size_t>(layer) * kKinds + kindOf(ordered(foot.normal), cell);
   };
   const std::size_t keys = static_cast<std::size_t>(layers) * kKinds;
-  const std::size_t chunks = (feet.size() + kChunk - 1) / kChunk;
-  std::vector<std::vector<std::uint32_t>> next(chunks);
+  std::vector<std::vector<std::uint32_t>> next(feet.chunks());
+  const auto keyOfFoot = makeLargeArray<std::uint32_t>(feet.count());
+  // visit(i, foot) for each of a chunk.
   const auto forEach = [&](std::size_t chunk, const auto& visit) {
-    const std::size_t end = std::min((chunk + 1) * kChunk, feet.size());
-    for (std::size_t i = chunk * kChunk; i < end; ++i) visit(i);
+    std::vector<SurfaceFoot> own;
+    own.reserve(feet.begin[chunk + 1] - feet.begin[chunk]);
+    feet.add(chunk, own);
+    for (std::size_t i = 0; i < own.size(); ++i) visit(feet.begin[chunk] + i, own[i]);
   };
-  parallelFor(chunks, [&](std::size_t chunk) {
+  parallelFor(feet.chunks(), [&](std::size_t chunk) {
     next[chunk].assign(keys, 0);
-    forEach(chunk, [&](std::size_t i) { ++next[chunk][keyOf(i)]; });
+    forEach(chunk, [&](std::size_t i, const SurfaceFoot& foot) {
+      keyOfFoot[i] = static_cast<std::uint32_t>(keyOf(foot));
+      ++next[chunk][keyOfFoot[i]];
+    });
   });
-  layerBegin_.assign(static_cast<std::size_t>(layers) + 1, feet.size());
+  layerBegin_.assign(static_cast<std::size_t>(layers) + 1, feet.count());
   std::uint32_t begin = 0;
   for (std::size_t key = 0; key < keys; ++key) {
     if (key % kKinds == 0) layerBegin_[key / kKinds] = begin;
@@ -70,10 +76,10 @@ void RayPoints::sort(const std::vector<SurfaceFoot>& feet, const SolidLattice& l
       begin += own;
     }
   }
-  parallelFor(chunks, [&](std::size_t chunk) {
-    forEach(chunk, [&](std::size_t i) {
-      const std::size_t to = next[chunk][keyOf(i)]++;
-      const glm::vec3 position = ordered(feet[i].position * scale), normal = ordered(feet[i].normal);
+  parallelFor(feet.chunks(), [&](std::size_t chunk) {
+    forEach(chunk, [&](std::size_t i, const SurfaceFoot& foot) {
+      const std::size_t to = next[chunk][keyOfFoot[i]]++;
+      const glm::vec3 position = ordered(foot.position * scale), normal = ordered(foot.normal);
       for (int k = 0; k < 3; ++k) {
         values(k)[to] = position[k];
         values(3 + k)[to] = normal[k];

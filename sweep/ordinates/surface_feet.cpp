@@ -1,65 +1,47 @@
 #include "surface_feet.h"
 
 #include <algorithm>
-#include <bit>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "sweep/near_sets.h"
 #include "sweep/parallel.h"
 
 namespace isolume {
+namespace {
 
-SurfaceFeet::SurfaceFeet(GridView<const float> level, GridView<const float> distance)
-    : fields_{level, distance},
-      solid_(insideSamples(level)),
-      caps_(solid_),
-      hasFoot_(level.size),
-      filled_(level.size),
-      firstFoot_(voxelCount({1, level.size.y, level.size.z})) {
-  forEachLayer([&](int z) {
-    for (int y = 0; y < level.size.y; ++y) markRow(y, z);
-  });
-  std::uint32_t count = 0;
-  for (std::uint32_t& first : firstFoot_) {
-    const std::uint32_t own = first;
-    first = count;
-    count += own;
-  }
-  feet_.resize(count + caps_.count());
-  forEachLayer([&](int z) {
-    std::vector<std::int32_t> x;
-    std::vector<SurfaceFoot> feet;
-    for (int y = 0; y < level.size.y; ++y) {
-      x.clear();
-      forEachFoot(y, z, [&](std::size_t, glm::ivec3 at) { x.push_back(at.x); });
-      footRow(fields_, y, z, x, feet);
-      std::copy(feet.begin(), feet.end(), feet_.begin() + firstFoot_[rowIndex(y, z)]);
+// Feet of a chunk, but for those of its last layer.
+constexpr std::size_t kChunk = 1 << 14;
+
+template <class Visit>
+void forEachLayerOf(const BitGrid& grid, const Visit& visit) {
+  parallelFor(static_cast<std::size_t>(grid.size().z), [&](std::size_t layer) { visit(static_cast<int>(layer)); });
+}
+
+// Samples outside with a solid one beside them along an axis.
+RankedBits samplesWithFeet(const BitGrid& solid) {
+  BitGrid outside(solid.size());
+  const auto words = static_cast<std::size_t>(solid.words());
+  forEachLayerOf(solid, [&](int z) {
+    BitRow crossed(words);
+    for (int y = 0; y < solid.size().y; ++y) {
+      crossedRow(solid, y, z, crossed);
+      for (std::size_t w = 0; w < words; ++w) outside.row(y, z)[w] = crossed[w] & ~solid.row(y, z)[w];
     }
   });
-  caps_.write(solid_, feet_.data() + count);
+  return RankedBits(std::move(outside));
 }
+
+}  // namespace
+
+SurfaceFeet::SurfaceFeet(GridView<const float> level, GridView<const float> distance)
+    : fields_{level, distance}, solid_(insideSamples(level)), caps_(solid_), outside_(samplesWithFeet(solid_)) {}
 
 template <class Visit>
 void SurfaceFeet::forEachLayer(const Visit& visit) const {
-  parallelFor(static_cast<std::size_t>(solid_.size().z), [&](std::size_t layer) { visit(static_cast<int>(layer)); });
-}
-
-// Marks the samples of a row, and counts its feet.
-void SurfaceFeet::markRow(int y, int z) {
-  const auto words = static_cast<std::size_t>(solid_.words());
-  BitRow near(words), crossed(words);
-  cornerRow(solid_, y, z, near);
-  crossedRow(solid_, y, z, crossed);
-  int feet = 0;
-  for (std::size_t w = 0; w < words; ++w) {
-    const std::uint64_t solid = solid_.row(y, z)[w];
-    hasFoot_.row(y, z)[w] = crossed[w] & ~solid;
-    filled_.row(y, z)[w] = near[w] & ~hasFoot_.row(y, z)[w];
-    feet += std::popcount(hasFoot_.row(y, z)[w]);
-  }
-  firstFoot_[rowIndex(y, z)] = static_cast<std::uint32_t>(feet);
+  forEachLayerOf(solid_, visit);
 }
 
 // visit(sample) for those of the 26 around, and the sample itself, that are in the set.
@@ -74,23 +56,63 @@ void SurfaceFeet::forEachAround(glm::ivec3 at, const BitGrid& set, const Visit& 
 // visit(number, sample) for each foot of a row.
 template <class Visit>
 void SurfaceFeet::forEachFoot(int y, int z, const Visit& visit) const {
-  std::size_t foot = firstFoot_[rowIndex(y, z)];
-  forEachBit(hasFoot_.row(y, z), hasFoot_.words(), [&](int x) { visit(foot++, glm::ivec3(x, y, z)); });
+  std::size_t foot = outside_.number({0, y, z});
+  forEachBit(outside_.bits().row(y, z), outside_.bits().words(), [&](int x) { visit(foot++, glm::ivec3(x, y, z)); });
 }
 
-std::uint32_t SurfaceFeet::footNumber(glm::ivec3 at) const {
-  const std::uint64_t* row = hasFoot_.row(at.y, at.z);
-  std::uint32_t number = firstFoot_[rowIndex(at.y, at.z)];
-  for (int w = 0; w < at.x / kWordBits; ++w) number += static_cast<std::uint32_t>(std::popcount(row[w]));
-  const std::uint64_t before = (std::uint64_t{1} << (at.x % kWordBits)) - 1;
-  return number + static_cast<std::uint32_t>(std::popcount(row[at.x / kWordBits] & before));
+// Parts: the layers of the isosurface, then the rows of the caps.
+std::size_t SurfaceFeet::partBegin(int part) const {
+  const int layers = solid_.size().z;
+  return part < layers ? outside_.number({0, 0, part}) : outside_.count() + caps_.rowBegin(part - layers);
+}
+
+void SurfaceFeet::addPart(int part, std::vector<SurfaceFoot>& feet) const {
+  const int layers = solid_.size().z;
+  if (part >= layers) {
+    caps_.addRow(part - layers, feet);
+    return;
+  }
+  std::vector<std::int32_t> x;
+  for (int y = 0; y < solid_.size().y; ++y) {
+    x.clear();
+    forEachBit(outside_.bits().row(y, part), outside_.bits().words(), [&](int each) { x.push_back(each); });
+    addFeet(fields_, y, part, x, feet);
+  }
+}
+
+FootChunks SurfaceFeet::chunks() const {
+  const int parts = solid_.size().z + caps_.rows();
+  std::vector<int> first{0};  // part of each chunk
+  FootChunks chunks;
+  for (int part = 1; part < parts; ++part) {
+    if (partBegin(part) < chunks.begin.back() + kChunk) continue;
+    first.push_back(part);
+    chunks.begin.push_back(partBegin(part));
+  }
+  first.push_back(parts);
+  chunks.begin.push_back(count());
+  chunks.add = [this, first](std::size_t chunk, std::vector<SurfaceFoot>& feet) {
+    for (int part = first[chunk]; part < first[chunk + 1]; ++part) addPart(part, feet);
+  };
+  return chunks;
+}
+
+std::vector<SurfaceFoot> SurfaceFeet::feet() const {
+  std::vector<SurfaceFoot> feet(count());
+  const FootChunks all = chunks();
+  parallelFor(all.chunks(), [&](std::size_t chunk) {
+    std::vector<SurfaceFoot> own;
+    all.add(chunk, own);
+    std::copy(own.begin(), own.end(), feet.begin() + static_cast<std::ptrdiff_t>(all.begin[chunk]));
+  });
+  return feet;
 }
 
 // Of the samples among the 26 around that have a foot, the one closest to a place on the surface.
 std::uint32_t SurfaceFeet::nearestFoot(glm::ivec3 at, glm::vec3 place) const {
   double least = std::numeric_limits<double>::infinity();
   glm::ivec3 best = at;
-  forEachAround(at, hasFoot_, [&](glm::ivec3 sample) {
+  forEachAround(at, outside_.bits(), [&](glm::ivec3 sample) {
     const glm::dvec3 between = (glm::dvec3(sample) - glm::dvec3(place)) * fields_.level.spacing;
     const double distance = glm::dot(between, between);
     if (distance < least) {
@@ -98,7 +120,7 @@ std::uint32_t SurfaceFeet::nearestFoot(glm::ivec3 at, glm::vec3 place) const {
       best = sample;
     }
   });
-  return footNumber(best);
+  return outside_.number(best);
 }
 
 std::vector<NearSample> SurfaceFeet::nearSamples(bool inside) const {
@@ -115,11 +137,12 @@ std::vector<NearSample> SurfaceFeet::nearSamples(bool inside) const {
       forEachBit(near.data(), solid_.words(), [&](int each) {
         if (isSolid({each, y, z}) == inside) x.push_back(each);
       });
-      footRow(fields_, y, z, x, feet);
+      feet.clear();
+      addFeet(fields_, y, z, x, feet);
       for (std::size_t i = 0; i < x.size(); ++i) {
         const glm::ivec3 at(x[i], y, z);
-        const bool own = !inside && hasFoot_.test(at.x, y, z);
-        samples.push_back({at, own ? footNumber(at) : nearestFoot(at, feet[i].position)});
+        const bool own = !inside && outside_.test(at);
+        samples.push_back({at, own ? outside_.number(at) : nearestFoot(at, feet[i].position)});
       }
     }
   });
@@ -134,8 +157,8 @@ void SurfaceFeet::fillUnknown(std::vector<std::uint16_t>& values, const std::vec
       forEachFoot(y, z, [&](std::size_t foot, glm::ivec3 at) {
         if (known[foot] != 0) return;
         unsigned sum = 0, count = 0;
-        forEachAround(at, hasFoot_, [&](glm::ivec3 sample) {
-          const std::uint32_t other = footNumber(sample);
+        forEachAround(at, outside_.bits(), [&](glm::ivec3 sample) {
+          const std::uint32_t other = outside_.number(sample);
           if (known[other] == 0) return;
           sum += values[other];
           ++count;
@@ -157,52 +180,77 @@ BitGrid SurfaceFeet::given(const std::vector<std::uint8_t>& known) const {
   return given;
 }
 
+// Those of the padded samples of a field that hold a number.
+RankedBits SurfaceFeet::held() const {
+  BitGrid held(solid_.size() + 2);
+  const auto words = static_cast<std::size_t>(solid_.words());
+  forEachLayer([&](int z) {
+    BitRow near(words);
+    for (int y = 0; y < solid_.size().y; ++y) {
+      cornerRow(solid_, y, z, near);
+      std::uint64_t* row = held.row(y + 1, z + 1);
+      std::uint64_t before = 0;
+      for (std::size_t w = 0; w < static_cast<std::size_t>(held.words()); ++w) {
+        const std::uint64_t own = w < words ? near[w] : 0;
+        row[w] = own << 1 | before >> (kWordBits - 1);
+        before = own;
+      }
+    }
+  });
+  caps_.mark(held);
+  return RankedBits(std::move(held));
+}
+
 // At a rim or a thin wall the gradient may lead into a cell without any: the mean of those of the 26 around that are
 // given, or 0.
-std::uint16_t SurfaceFeet::meanAround(glm::ivec3 at, const BitGrid& given, const SurfaceField& field) const {
+std::uint16_t SurfaceFeet::meanAround(glm::ivec3 at, const FootValues& from) {
   unsigned sum = 0, count = 0;
-  forEachAround(at, given, [&](glm::ivec3 sample) {
-    sum += field.wall(sample);
+  forEachAround(at, from.given, [&](glm::ivec3 sample) {
+    sum += from.values[from.feet.number(sample)];
     ++count;
   });
   return count == 0 ? std::uint16_t{0} : static_cast<std::uint16_t>((sum + count / 2) / count);
 }
 
-void SurfaceFeet::fillLayer(int z, const BitGrid& given, const SurfaceField& field,
-                            std::vector<std::uint16_t>& filled) const {
+void SurfaceFeet::spreadLayer(int z, const FootValues& from, SurfaceField& field) const {
   const glm::ivec3 size = solid_.size();
   const bool cells = size.x > 1 && size.y > 1 && size.z > 1;
-  std::vector<std::int32_t> x, row;
+  const auto words = static_cast<std::size_t>(solid_.words());
+  BitRow near(words);
+  std::vector<std::int32_t> others, numbers;
   for (int y = 0; y < size.y; ++y) {
-    x.clear();
-    forEachBit(filled_.row(y, z), filled_.words(), [&](int each) { x.push_back(each); });
-    row.assign(x.size(), kNoValue);
-    if (cells) interpolatedRow(fields_, y, z, x, given, field, row);
-    for (std::size_t i = 0; i < x.size(); ++i)
-      filled.push_back(row[i] == kNoValue ? meanAround({x[i], y, z}, given, field)
-                                          : static_cast<std::uint16_t>(row[i]));
+    cornerRow(solid_, y, z, near);
+    others.clear();
+    const std::uint64_t* own = outside_.bits().row(y, z);
+    for (std::size_t w = 0; w < words; ++w) near[w] &= ~own[w];
+    forEachBit(near.data(), solid_.words(), [&](int x) { others.push_back(x); });
+    numbers.assign(others.size(), kNoValue);
+    if (cells) interpolatedRow(fields_, y, z, others, from, numbers);
+    for (std::size_t w = 0; w < words; ++w) near[w] |= own[w];
+    std::uint16_t* to = field.numbers().data() + field.placeOf({1, y + 1, z + 1});
+    std::size_t foot = outside_.number({0, y, z}), other = 0;
+    forEachBit(near.data(), solid_.words(), [&](int x) {
+      if (other == others.size() || others[other] != x) {
+        *to++ = from.values[foot++];
+        return;
+      }
+      const std::int32_t number = numbers[other++];
+      *to++ = number == kNoValue ? meanAround({x, y, z}, from) : static_cast<std::uint16_t>(number);
+    });
   }
 }
 
 SurfaceField SurfaceFeet::spread(const std::vector<std::uint16_t>& values,
                                  const std::vector<std::uint8_t>* known) const {
-  const GridView<const float> level = fields_.level;
-  SurfaceField field(level.size, level.spacing, level.origin);
-  forEachLayer([&](int z) {
-    for (int y = 0; y < solid_.size().y; ++y)
-      forEachFoot(y, z, [&](std::size_t foot, glm::ivec3 at) { field.wall(at) = values[foot]; });
-  });
+  SurfaceField field(held());
   std::optional<BitGrid> some;
   if (known) some = given(*known);
-  // Apart from the values, which other threads read.
-  std::vector<std::vector<std::uint16_t>> filled(static_cast<std::size_t>(solid_.size().z));
-  forEachLayer([&](int z) { fillLayer(z, some ? *some : hasFoot_, field, filled[static_cast<std::size_t>(z)]); });
-  forEachLayer([&](int z) {
-    auto next = filled[static_cast<std::size_t>(z)].begin();
-    for (int y = 0; y < solid_.size().y; ++y)
-      forEachBit(filled_.row(y, z), filled_.words(), [&](int x) { field.wall({x, y, z}) = *next++; });
-  });
-  caps_.spread(solid_, values.data() + (feet_.size() - caps_.count()), field);
+  // Read in pairs.
+  std::vector<std::uint16_t> walls(outside_.count() + 2, 0);
+  std::copy_n(values.begin(), outside_.count(), walls.begin());
+  const FootValues from{outside_, some ? *some : outside_.bits(), walls.data()};
+  forEachLayer([&](int z) { spreadLayer(z, from, field); });
+  caps_.spread(values.data() + outside_.count(), field);
   return field;
 }
 

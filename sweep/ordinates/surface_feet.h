@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cap_feet.h"
+#include "foot_chunks.h"
 #include "foot_rows.h"
 #include "surface_field.h"
 #include "sweep/bit_grid.h"
@@ -35,12 +36,17 @@ struct NearSample {
 
 class SurfaceFeet {
  public:
-  /// Borrows the fields. `distance` in world units, exact next to the surface. Threaded.
-  /// Memory: 3/8 byte per voxel, 24 bytes per foot.
+  /// Borrows the fields for good. `distance` in world units, exact next to the surface. Threaded.
+  /// Memory: 5/16 byte per voxel. Feet are not kept, but made from the fields each time that they are asked for.
   SurfaceFeet(GridView<const float> level, GridView<const float> distance);
 
-  /// Of the isosurface, in the order of the samples: x fastest, then y, then z; then of the caps.
-  const std::vector<SurfaceFoot>& feet() const { return feet_; }
+  /// Feet are numbered: first those of the isosurface, in the order of the samples, x fastest, then y, then z; then
+  /// those of the caps.
+  std::size_t count() const { return outside_.count() + caps_.count(); }
+  /// All of them, 24 bytes each. Threaded.
+  std::vector<SurfaceFoot> feet() const;
+  /// The same in chunks of some thousands; borrows this. The chunks do not depend on the number of threads.
+  FootChunks chunks() const;
   /// The samples with level > 0.
   const BitGrid& solid() const { return solid_; }
 
@@ -53,34 +59,30 @@ class SurfaceFeet {
   void fillUnknown(std::vector<std::uint16_t>& values, const std::vector<std::uint8_t>& known) const;
 
   /// The values of all feet as a field. With `known`, samples without a foot take nothing from those with known[foot] =
-  /// 0 (on the far side of a thin wall, say): from what of the 26 around is known, or 0. 2 bytes per voxel. Threaded.
+  /// 0 (on the far side of a thin wall, say): from what of the 26 around is known, or 0. Memory: that of the field
+  /// (surface_field.h). Threaded.
   SurfaceField spread(const std::vector<std::uint16_t>& values, const std::vector<std::uint8_t>* known = nullptr) const;
 
  private:
+  std::size_t partBegin(int part) const;
+  void addPart(int part, std::vector<SurfaceFoot>& feet) const;
   bool isSolid(glm::ivec3 at) const { return solid_.test(at.x, at.y, at.z); }
-  std::uint32_t footNumber(glm::ivec3 at) const;
   std::uint32_t nearestFoot(glm::ivec3 at, glm::vec3 place) const;
   BitGrid given(const std::vector<std::uint8_t>& known) const;
-  std::uint16_t meanAround(glm::ivec3 at, const BitGrid& given, const SurfaceField& field) const;
-  void fillLayer(int z, const BitGrid& given, const SurfaceField& field, std::vector<std::uint16_t>& filled) const;
-  void markRow(int y, int z);
+  RankedBits held() const;
+  static std::uint16_t meanAround(glm::ivec3 at, const FootValues& from);
+  void spreadLayer(int z, const FootValues& from, SurfaceField& field) const;
   template <class Visit>
   void forEachLayer(const Visit& visit) const;
   template <class Visit>
   static void forEachAround(glm::ivec3 at, const BitGrid& set, const Visit& visit);
   template <class Visit>
   void forEachFoot(int y, int z, const Visit& visit) const;
-  std::size_t rowIndex(int y, int z) const {
-    return static_cast<std::size_t>(z) * static_cast<std::size_t>(solid_.size().y) + static_cast<std::size_t>(y);
-  }
 
   FootFields fields_;
   BitGrid solid_;  // samples inside
   CapFeet caps_;
-  BitGrid hasFoot_;                       // outside, with a solid sample beside it along an axis
-  BitGrid filled_;                        // next to the surface, without a foot
-  std::vector<std::uint32_t> firstFoot_;  // of each row
-  std::vector<SurfaceFoot> feet_;
+  RankedBits outside_;  // samples outside with a solid one beside them along an axis: they have feet
 };
 
 }  // namespace isolume

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
+#include <vector>
 
 #include "sweep/parallel.h"
 #include "sweep/trilinear.h"
@@ -34,25 +36,61 @@ double agreement(glm::dvec3 fall, glm::dvec3 normal) {
   return length > 0 ? std::max(glm::dot(fall, normal) / length, kLeastAgreement) : kLeastAgreement;
 }
 
+double paddedTrilinear(const SurfaceField& field, glm::dvec3 position) {
+  return trilinear(
+      field.paddedSize(),
+      [&](int x, int y, int z) {
+        return field.padded({x, y, z});
+      },
+      position);
+}
+
 }  // namespace
 
-SurfaceField::SurfaceField(glm::ivec3 size, glm::dvec3 spacing, glm::dvec3 origin)
-    : padded_(size + 2, spacing, origin - spacing) {
-  const GridView<std::uint16_t> padded = padded_.view();
-  forEachLayer(padded.size.z, [&](int z) { std::fill_n(&padded(0, 0, z), padded.strideZ(), std::uint16_t{0}); });
+SurfaceField::SurfaceField(glm::ivec3 size)
+    : padded_(size + 2), count_(voxelCount(padded_)), numbers_(makeLargeArray<std::uint16_t>(count_)) {
+  const std::size_t layer = voxelCount({padded_.x, padded_.y, 1});
+  parallelFor(static_cast<std::size_t>(padded_.z),
+              [&](std::size_t z) { std::fill_n(numbers_.get() + z * layer, layer, std::uint16_t{0}); });
+}
+
+SurfaceField::SurfaceField(RankedBits held)
+    : padded_(held.size()),
+      held_(std::move(held)),
+      count_(held_->count()),
+      numbers_(makeLargeArray<std::uint16_t>(count_)) {}
+
+std::size_t SurfaceField::bytes() const { return count_ * sizeof(std::uint16_t) + (held_ ? held_->bytes() : 0); }
+
+void SurfaceField::copyRow(int y, int z, std::uint16_t* to) const {
+  const std::uint16_t* from = numbers_.get() + placeOf({0, y, z});
+  if (!held_) {
+    std::copy_n(from, padded_.x, to);
+    return;
+  }
+  std::fill_n(to, padded_.x, std::uint16_t{0});
+  forEachBit(held_->bits().row(y, z), held_->bits().words(), [&](int x) { to[x] = *from++; });
+}
+
+void SurfaceField::copyLayers(int begin, int end, std::uint16_t* to) const {
+  const std::size_t row = static_cast<std::size_t>(padded_.x), layer = row * static_cast<std::size_t>(padded_.y);
+  forEachLayer(end - begin, [&](int z) {
+    for (int y = 0; y < padded_.y; ++y)
+      copyRow(y, begin + z, to + static_cast<std::size_t>(z) * layer + static_cast<std::size_t>(y) * row);
+  });
 }
 
 SurfaceField surfaceField(GridView<const std::uint16_t> samples) {
-  SurfaceField field(samples.size, samples.spacing, samples.origin);
-  const GridView<std::uint16_t> padded = field.padded();
-  forEachLayer(padded.size.z, [&](int z) {
+  SurfaceField field(samples.size);
+  const glm::ivec3 padded = field.paddedSize();
+  forEachLayer(padded.z, [&](int z) {
     const auto within = [](int i, int size) { return std::clamp(i - 1, 0, size - 1); };
-    for (int y = 0; y < padded.size.y; ++y) {
+    for (int y = 0; y < padded.y; ++y) {
       const std::uint16_t* from = &samples(0, within(y, samples.size.y), within(z, samples.size.z));
-      std::uint16_t* to = &padded(0, y, z);
+      std::uint16_t* to = field.numbers().data() + field.placeOf({0, y, z});
       to[0] = from[0];
       std::copy_n(from, samples.size.x, to + 1);
-      to[padded.size.x - 1] = from[samples.size.x - 1];
+      to[padded.x - 1] = from[samples.size.x - 1];
     }
   });
   return field;
@@ -62,8 +100,10 @@ Grid<std::uint16_t> bySample(const SurfaceField& field, GridView<const float> le
   Grid<std::uint16_t> samples(level.size, level.spacing, level.origin);
   const GridView<std::uint16_t> to = samples.view();
   forEachLayer(level.size.z, [&](int z) {
+    std::vector<std::uint16_t> row(static_cast<std::size_t>(field.paddedSize().x));
     for (int y = 0; y < level.size.y; ++y) {
-      std::copy_n(&field.padded()(1, y + 1, z + 1), level.size.x, &to(0, y, z));
+      field.copyRow(y + 1, z + 1, row.data());
+      std::copy_n(row.data() + 1, level.size.x, &to(0, y, z));
       const bool edge = y == 0 || z == 0 || y == level.size.y - 1 || z == level.size.z - 1;
       const int step = edge ? 1 : std::max(level.size.x - 1, 1);
       for (int x = 0; x < level.size.x; x += step) {
@@ -99,8 +139,8 @@ double wallValueAt(const SurfaceField& field, GridView<const float> level, glm::
 
 double capValueAt(const SurfaceField& field, GridFace face, glm::dvec3 position) {
   glm::dvec3 padded = position + 1.0;
-  padded[face.axis] = placeOf(face, field.padded().size);
-  return trilinear(field.padded(), padded);
+  padded[face.axis] = placeOf(face, field.paddedSize());
+  return paddedTrilinear(field, padded);
 }
 
 double surfaceValueAt(const SurfaceField& field, glm::dvec3 position) {
@@ -110,7 +150,7 @@ double surfaceValueAt(const SurfaceField& field, glm::dvec3 position) {
     const double cap = capValueAt(field, face, position);
     if (cap > 0) return cap;
   }
-  return trilinear(field.padded(), position + 1.0);
+  return paddedTrilinear(field, position + 1.0);
 }
 
 }  // namespace isolume

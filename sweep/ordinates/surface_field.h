@@ -13,7 +13,10 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
+#include <span>
 
+#include "ranked_bits.h"
 #include "sweep/grid.h"
 
 namespace isolume {
@@ -29,30 +32,63 @@ inline GridFace faceOf(int i) { return {i / 2, i % 2}; }
 /// Where its samples stand along its axis.
 inline int placeOf(GridFace face, glm::ivec3 size) { return face.side == 0 ? 0 : size[face.axis] - 1; }
 
+/// Move-only. Thread-safe for reading, and for writing different numbers.
 class SurfaceField {
  public:
   SurfaceField() = default;
-  /// Samples of a grid of `size`, all 0: 2 bytes for each, and for each of a shell around them. Threaded.
-  explicit SurfaceField(glm::ivec3 size, glm::dvec3 spacing = glm::dvec3(1), glm::dvec3 origin = glm::dvec3(0));
+  /// A number at every sample and cap of a grid of `size`, all 0: 2 bytes for each, and for each of a shell around
+  /// them. Threaded.
+  explicit SurfaceField(glm::ivec3 size);
+  /// Numbers at the members of a set alone, uninitialised: 2 bytes for each, and the set (ranked_bits.h). It is of the
+  /// padded grid: sample (x, y, z) stands at (x + 1, y + 1, z + 1), and the caps in the layers around.
+  explicit SurfaceField(RankedBits held);
 
-  bool empty() const { return padded_.empty(); }
-  glm::ivec3 size() const { return padded_.size() - 2; }
-  /// Sample (x, y, z) stands at (x + 1, y + 1, z + 1), and the caps in the layers around.
-  GridView<std::uint16_t> padded() { return padded_.view(); }
-  GridView<const std::uint16_t> padded() const { return padded_.view(); }
+  bool empty() const { return !numbers_; }
+  glm::ivec3 size() const { return padded_ - 2; }
+  glm::ivec3 paddedSize() const { return padded_; }
+  std::size_t bytes() const;
 
-  std::uint16_t& wall(glm::ivec3 at) { return padded_.view()(at.x + 1, at.y + 1, at.z + 1); }
-  std::uint16_t wall(glm::ivec3 at) const { return padded_.view()(at.x + 1, at.y + 1, at.z + 1); }
+  /// The numbers that are held, in the order of the padded samples: x fastest, then y, then z.
+  std::span<std::uint16_t> numbers() { return {numbers_.get(), count_}; }
+  std::span<const std::uint16_t> numbers() const { return {numbers_.get(), count_}; }
+  /// 0 where none is held.
+  std::uint16_t padded(glm::ivec3 at) const { return holds(at) ? numbers_[placeOf(at)] : std::uint16_t{0}; }
+  std::uint16_t wall(glm::ivec3 at) const { return padded(at + 1); }
   /// `at` on that face.
-  std::uint16_t& cap(GridFace face, glm::ivec3 at) { return padded_.data()[capIndex(face, at)]; }
-  std::uint16_t cap(GridFace face, glm::ivec3 at) const { return padded_.data()[capIndex(face, at)]; }
+  std::uint16_t cap(GridFace face, glm::ivec3 at) const { return padded(beyond(face, at)); }
+
+  /// Of samples that hold a number.
+  std::uint16_t& wall(glm::ivec3 at) { return held(at + 1); }
+  std::uint16_t& cap(GridFace face, glm::ivec3 at) { return held(beyond(face, at)); }
+
+  /// Where in numbers() that of a padded sample stands, or the next if it holds none.
+  std::size_t placeOf(glm::ivec3 at) const {
+    if (held_) return held_->number(at);
+    const glm::vec<3, std::size_t> size(padded_), place(at);
+    return (place.z * size.y + place.y) * size.x + place.x;
+  }
+  /// All of a row of the padded samples, paddedSize().x numbers.
+  void copyRow(int y, int z, std::uint16_t* to) const;
+  /// Layers [begin, end) of the padded samples, one after the other. Threaded.
+  void copyLayers(int begin, int end, std::uint16_t* to) const;
+
+  /// Where the cap of sample `at` of a face stands among the padded samples.
+  static glm::ivec3 beyond(GridFace face, glm::ivec3 at) {
+    at[face.axis] += face.side == 0 ? -1 : 1;
+    return at + 1;
+  }
 
  private:
-  std::size_t capIndex(GridFace face, glm::ivec3 at) const {
-    at[face.axis] += face.side == 0 ? -1 : 1;
-    return padded_.view().index(at.x + 1, at.y + 1, at.z + 1);
+  bool holds(glm::ivec3 at) const { return !held_ || held_->test(at); }
+  std::uint16_t& held(glm::ivec3 at) {
+    assert(holds(at));
+    return numbers_[placeOf(at)];
   }
-  Grid<std::uint16_t> padded_;
+
+  glm::ivec3 padded_{0};
+  std::optional<RankedBits> held_;  // none: every sample
+  std::size_t count_ = 0;
+  LargeArray<std::uint16_t> numbers_;
 };
 
 /// A number for every sample as a field: caps hold what their samples do. Threaded.

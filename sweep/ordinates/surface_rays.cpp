@@ -56,7 +56,7 @@ SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> dist
       throw std::length_error("openness: expected layers of fewer than 2^24 lattice points: take refinement 1");
   }
   if (orders == Orders::remade) return;
-  for (int axis = 0; axis < 3; ++axis) kept_.emplace_back(count()).sort(surface_.feet(), lattice_, spacing_, axis);
+  for (int axis = 0; axis < 3; ++axis) kept_.emplace_back(count()).sort(surface_.chunks(), lattice_, spacing_, axis);
 }
 
 SurfaceFeet SurfaceRays::takeSurface() && {
@@ -68,20 +68,20 @@ SurfaceFeet SurfaceRays::takeSurface() && {
 // The order for an axis: a kept one, or one that is made in `room`.
 const RayPoints& SurfaceRays::ordered(int axis, RayPoints& room) const {
   if (!kept_.empty()) return kept_[static_cast<std::size_t>(axis)];
-  room.sort(surface_.feet(), lattice_, spacing_, axis);
+  room.sort(surface_.chunks(), lattice_, spacing_, axis);
   return room;
 }
 
 std::vector<std::int32_t> SurfaceRays::sumGroups(const std::vector<Ordinate>& ordinates, int channels, int most,
                                                  const GroupSweep& sweep) const {
   const std::size_t feet = count(), stride = feet + kRayPadding, all = static_cast<std::size_t>(channels);
-  FootSums shared(stride * all);
   std::vector<std::int32_t> whole(feet * all, 0);
   RayPoints room(kept_.empty() ? feet : 0);
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<RayGroup> groups = rayGroups(axis, ordinates, cell(), most);
     const LatticeLayers layers = layersOf(lattice_, spacing_, axis);
     const RayPoints& points = ordered(axis, room);
+    FootSums shared(stride * all);
     parallelFor(groups.size(), [&](std::size_t i) {
       std::vector<std::int32_t> own = shared.take();
       sweep(axis, layers, points, groups[i], static_cast<std::ptrdiff_t>(stride), own.data());
@@ -96,9 +96,9 @@ std::vector<std::int32_t> SurfaceRays::sumGroups(const std::vector<Ordinate>& or
 }
 
 std::vector<float> SurfaceRays::sum(const std::vector<Ordinate>& ordinates, int channels, Count count) const {
-  std::vector<float> sums(surface_.feet().size() * static_cast<std::size_t>(channels), 0);
   const double total = largestTotal(ordinates, channels);
-  if (sums.empty() || total == 0) return sums;
+  if (surface_.count() == 0 || total == 0)
+    return std::vector<float>(surface_.count() * static_cast<std::size_t>(channels), 0);
   const auto scale = static_cast<float>(kLargestSum / total);
   const std::vector<std::int32_t> whole = sumGroups(
       ordinates, channels, kRayGroup,
@@ -108,6 +108,7 @@ std::vector<float> SurfaceRays::sum(const std::vector<Ordinate>& ordinates, int 
             layers, group.towards, group.directions, points,
             {.channels = channels, .visible = count == Count::visible, .scale = scale, .stride = stride, .sums = own});
       });
+  std::vector<float> sums(whole.size());
   forEachFoot(sums.size(), [&](std::size_t i) { sums[i] = static_cast<float>(whole[i] / static_cast<double>(scale)); });
   return sums;
 }

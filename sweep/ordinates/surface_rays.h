@@ -3,8 +3,8 @@
 //
 // Memory: surface_feet.h and solid_lattice.h; per foot 84 bytes for the three orders of points (ray_points.h) where
 // they are kept, and 28 while a sweep runs where they are remade; while a sweep runs 4 bytes per
-// foot and channel, and 4 more for each thread. Sweeps are threaded, bitwise the same for any number of threads and any
-// SIMD width.
+// foot and channel, and 4 more for each thread at work. Sweeps are threaded, bitwise the same for any number of threads
+// and any SIMD width.
 #pragma once
 
 #include <array>
@@ -51,7 +51,7 @@ class SurfaceRays {
   const SolidLattice& lattice() const { return lattice_; }
   glm::dvec3 spacing() const { return spacing_; }
   glm::dvec3 cell() const { return spacing_ / static_cast<double>(lattice_.refinement); }
-  std::size_t count() const { return surface_.feet().size(); }
+  std::size_t count() const { return surface_.count(); }
 
   enum class Count { blocked, visible };
   /// A sweep of one group along an axis, which adds to sums[c * stride + i] for point i and channel c.

@@ -34,7 +34,7 @@ struct Bench {
     fields.level = level.view();
     for (std::size_t i = 0; i < 2; ++i) fields.octants[i] = swept.visibility.packed[i].view();
     const SurfaceField openness = sweepOpenness(level.view(), swept.distance.view(), {.ordinates = 64});
-    fields.lights = {{openness.padded()}};
+    fields.lights = {{&openness}};
     renderer.upload(fields);
     camera = frameCorners(boxCorners(fields.worldFromGrid, glm::dvec3(20), glm::dvec3(kSize - 21)), 1, {});
   }

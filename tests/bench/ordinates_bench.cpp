@@ -40,9 +40,8 @@ void openness(benchmark::State& state) {
   for (auto _ : state) swept = sweepOpenness(scene.level.view(), scene.distance.view(), options);
   setThreadCount(0);
   std::size_t known = 0;
-  const GridView<const std::uint16_t> values = std::as_const(swept).padded();
-  for (std::size_t i = 0; i < values.count(); ++i) known += values.data[i] > 0 ? 1 : 0;
-  state.counters["known_share"] = static_cast<double>(known) / static_cast<double>(values.count());
+  for (const std::uint16_t number : swept.numbers()) known += number > 0 ? 1 : 0;
+  state.counters["known_share"] = static_cast<double>(known) / static_cast<double>(voxelCount(swept.paddedSize()));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.level.count()) * options.ordinates);
 }
 BENCHMARK(openness)

@@ -10,12 +10,12 @@ SceneFields GlScene::fields() const {
           level.view(),
           distance.view(),
           {octants[0].view(), octants[1].view()},
-          openness.empty() ? std::vector<LightField>() : std::vector<LightField>{{openness.padded()}}};
+          openness.empty() ? std::vector<LightField>() : std::vector<LightField>{{&openness}}};
 }
 
 GlScene makeScene(glm::ivec3 size, glm::dvec3 spacing, const std::function<double(glm::dvec3)>& distance) {
-  GlScene scene{Grid<float>(size, spacing), Grid<float>(size, spacing), {}, SurfaceField(size, spacing), glm::dmat4(1)};
-  std::fill_n(scene.openness.padded().data, scene.openness.padded().count(), std::uint16_t{65535});
+  GlScene scene{Grid<float>(size, spacing), Grid<float>(size, spacing), {}, SurfaceField(size), glm::dmat4(1)};
+  std::ranges::fill(scene.openness.numbers(), std::uint16_t{65535});
   for (int axis = 0; axis < 3; ++axis) scene.worldFromGrid[axis][axis] = spacing[axis];
   std::size_t i = 0;
   for (int z = 0; z < size.z; ++z) {

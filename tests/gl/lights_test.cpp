@@ -74,7 +74,7 @@ TEST_F(Lights, FieldsAddUpWithTheirColours) {
   // Three fields, each linear along another axis and with its own full value: their sum, each times its colour.
   std::vector<SurfaceField> grids;
   for (int axis = 0; axis < 3; ++axis) grids.push_back(fieldOf([axis](glm::dvec3 p) { return p[axis] / kSize; }));
-  const std::vector<LightField> fields{{grids[0].padded()}, {grids[1].padded(), 0.5F}, {grids[2].padded(), 2}};
+  const std::vector<LightField> fields{{&grids[0]}, {&grids[1], 0.5F}, {&grids[2], 2}};
   const std::vector<glm::vec3> colors{{1, 0.5, 0}, {0, 0.25, 0.75}, {0.125, 0.25, 0.5}};
   const auto sumOf = [&](const std::vector<glm::vec3>& each, glm::dvec3 p, glm::dvec3 normal) {
     glm::dvec3 sum(0);
@@ -93,9 +93,9 @@ TEST_F(Lights, FieldsAddUpWithTheirColours) {
 TEST_F(Lights, AsManyAsAProgramTakes) {
   // Eight fields of an eighth each add up to one; nine are an error, one line that tells both numbers.
   const SurfaceField eighth = fieldOf([](glm::dvec3) { return 1; });
-  const std::vector<LightField> eight(8, LightField{eighth.padded(), 0.125F});
+  const std::vector<LightField> eight(8, LightField{&eighth, 0.125F});
   EXPECT_TRUE(expectLight(draw(eight, settingsWith({})), [](glm::dvec3, glm::dvec3) { return glm::dvec3(1); }));
-  EXPECT_THROW(upload(std::vector<LightField>(9, LightField{eighth.padded()})), GpuError);
+  EXPECT_THROW(upload(std::vector<LightField>(9, LightField{&eighth})), GpuError);
 }
 
 // Mean of max(N . w, 0) over a disc above the horizon.
@@ -114,8 +114,8 @@ TEST_F(Lights, ADiscIsMultipliedWithItsMeanCosine) {
       scene_.worldFromGrid = glm::rotate(glm::dmat4(1), 0.9, glm::normalize(glm::dvec3(1, -2, 0.5)));
       camera_ = frameScene(scene_);
     }
-    const Frame frame = draw({{.values = share.padded(), .direction = 7.0 * towards, .radiusDegrees = kRadius}},
-                             settingsWith({{1, 0.5, 0}}));
+    const Frame frame =
+        draw({{.values = &share, .direction = 7.0 * towards, .radiusDegrees = kRadius}}, settingsWith({{1, 0.5, 0}}));
     const double sine = std::sin(glm::radians(kRadius));
     int whole = 0, dark = 0;
     for (std::size_t i = 0; i < frame.depth.size(); ++i) {
@@ -146,7 +146,7 @@ TEST_F(Lights, HeadLightComesFromTheEye) {
   for (const bool withField : {true, false}) {
     RenderSettings settings = settingsWith({});
     settings.headLight = {0.5, 0.25, 1};
-    const std::vector<LightField> fields(withField ? 1 : 0, LightField{half.padded()});
+    const std::vector<LightField> fields(withField ? 1 : 0, LightField{&half});
     EXPECT_TRUE(expectLight(draw(fields, settings), [&](glm::dvec3 p, glm::dvec3 normal) {
       const double cosine = std::abs(glm::dot(normal, glm::normalize(camera_.eye - p)));
       return glm::dvec3(withField ? 0.5 : 0.0) + cosine * glm::dvec3(settings.headLight);
@@ -158,7 +158,7 @@ TEST_F(Lights, ColoursChangeWithoutAnUpload) {
   // Another colour of a light needs no upload: the next picture has it, and the first colours give the first picture
   // again, bit for bit.
   const SurfaceField field = fieldOf([](glm::dvec3 p) { return p.x / kSize; });
-  const Frame first = draw({{field.padded()}}, settingsWith({{1, 1, 1}}));
+  const Frame first = draw({{&field}}, settingsWith({{1, 1, 1}}));
   const Frame red = renderer_.render(camera_, settingsWith({{1, 0, 0.5}}));
   EXPECT_TRUE(expectLight(
       red, [&](glm::dvec3 p, glm::dvec3 normal) { return valueAt(field, p, normal) * glm::dvec3(1, 0, 0.5); }));
@@ -170,7 +170,7 @@ TEST_F(Lights, ColoursChangeWithoutAnUpload) {
 TEST_F(Lights, OneColourForEachField) {
   // Fewer or more colours than fields are an error that tells both numbers; the renderer draws on after it.
   const SurfaceField field = fieldOf([](glm::dvec3) { return 1; });
-  upload({{field.padded()}, {field.padded()}});
+  upload({{&field}, {&field}});
   for (const std::size_t count : {1, 3}) {
     try {
       renderer_.render(camera_, settingsWith(std::vector<glm::vec3>(count, glm::vec3(1))));

@@ -172,8 +172,7 @@ TEST(Shading, OpennessIsReadAsItIsDefined) {
     return glm::length(p - glm::dvec3(30, 20, 17)) - 15 + bumps;  // cut by three faces
   });
   RandomNumbers numbers(5);
-  const GridView<std::uint16_t> values = scene.openness.padded();
-  for (std::size_t i = 0; i < values.count(); ++i) values.data[i] = static_cast<std::uint16_t>(numbers.below(65536));
+  for (std::uint16_t& number : scene.openness.numbers()) number = static_cast<std::uint16_t>(numbers.below(65536));
   RenderSettings settings = layerSettings();
   settings.shading = Shading::lights;
   int walls = 0, caps = 0;

@@ -76,7 +76,7 @@ constexpr int kCases = 120;  // 3 axes and 2 senses, 20 of each
 int expectPlainSums(const CarriedCase& given, Kind kind) {
   constexpr std::size_t kGap = 3;  // between what is written
   RayPoints points(given.feet.size());
-  points.sort(given.feet, given.lattice, given.spacing, given.axis);
+  points.sort(test::chunksOf(given.feet), given.lattice, given.spacing, given.axis);
   const std::size_t channels = kind == Kind::length ? 2 : 1, stride = points.count() + kRayPadding + kGap;
   CarriedTally tally{.kind = kind,
                      .scale = kind == Kind::length ? 0x1p22F : 0x1p14F,
@@ -131,7 +131,7 @@ TEST(CarriedRays, LongestLengthIsTheLargestNumber) {
     const SolidLattice lattice = makeSolidLattice(level.view(), insideSamples(level.view()), 1);
     RayPoints points(1);
     const std::vector<SurfaceFoot> feet{{{0, 0, 0}, {0, 0, -1}}};
-    points.sort(feet, lattice, glm::dvec3(1), 2);
+    points.sort(test::chunksOf(feet), lattice, glm::dvec3(1), 2);
     std::vector<std::int32_t> sums(2 * kRayPadding);
     const RayDirection up{.weightLayer = 1, .risePerCosine = 1};
     sweepCarriedRays(layersOf(lattice, glm::dvec3(1), 2), 1, {up}, points, layersOfSamples({}, level.size(), 2), {},

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "ordinates/swept_openness.h"
 #include "support/random_grids.h"
@@ -107,7 +106,7 @@ TEST(OpennessSweep, ThreadsAndVectorsDoNotChangeABit) {
     const SurfaceField want = sweepOpenness(level.view(), distance.view(), options);
     const auto expectSame = [&] {
       const SurfaceField got = sweepOpenness(level.view(), distance.view(), options);
-      EXPECT_EQ(std::memcmp(got.padded().data, want.padded().data, want.padded().count() * sizeof(std::uint16_t)), 0);
+      EXPECT_EQ(test::paddedNumbers(got), test::paddedNumbers(want));
     };
     setThreadCount(4);
     expectSame();

@@ -20,4 +20,17 @@ inline std::vector<SurfaceFoot> randomFeet(glm::ivec3 size, int count, RandomNum
   return feet;
 }
 
+/// In chunks of 500, as they are sorted. Borrows the feet.
+inline FootChunks chunksOf(const std::vector<SurfaceFoot>& feet) {
+  constexpr std::size_t kChunk = 500;
+  FootChunks chunks;
+  for (std::size_t begin = kChunk; begin < feet.size(); begin += kChunk) chunks.begin.push_back(begin);
+  chunks.begin.push_back(feet.size());
+  chunks.add = [&feet, begin = chunks.begin](std::size_t chunk, std::vector<SurfaceFoot>& to) {
+    const auto at = [&](std::size_t i) { return feet.begin() + static_cast<std::ptrdiff_t>(begin[i]); };
+    to.insert(to.end(), at(chunk), at(chunk + 1));
+  };
+  return chunks;
+}
+
 }  // namespace isolume::test

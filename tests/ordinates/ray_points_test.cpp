@@ -29,7 +29,7 @@ TEST(RayPoints, HoldEachFootOnceInTheGroupOfItsLayer) {
     const std::vector<SurfaceFoot> feet = test::randomFeet({9, 5, 7}, 2000, numbers);
     RayPoints points(feet.size());
     for (int axis = 0; axis < 3; ++axis) {
-      points.sort(feet, lattice, kSpacing, axis);
+      points.sort(test::chunksOf(feet), lattice, kSpacing, axis);
       const RayAxes axes = kRayAxes[static_cast<std::size_t>(axis)];
       ASSERT_EQ(axes.layer, axis);
       std::vector<int> seen(feet.size());
@@ -69,9 +69,9 @@ TEST(RayPoints, OrderDoesNotDependOnThreads) {
   const std::vector<SurfaceFoot> feet = test::randomFeet({12, 11, 10}, 100000, numbers);
   RayPoints one(feet.size()), four(feet.size());
   setThreadCount(1);
-  one.sort(feet, lattice, kSpacing, 1);
+  one.sort(test::chunksOf(feet), lattice, kSpacing, 1);
   setThreadCount(4);
-  four.sort(feet, lattice, kSpacing, 1);
+  four.sort(test::chunksOf(feet), lattice, kSpacing, 1);
   setThreadCount(0);
   EXPECT_EQ(std::memcmp(one.foot(), four.foot(), feet.size() * sizeof(std::uint32_t)), 0);
   EXPECT_EQ(std::memcmp(one.bit(), four.bit(), feet.size() * sizeof(float)), 0);

@@ -49,7 +49,7 @@ int expectPlainSums(const RayCase& given, int channels = 1, bool visible = false
   // Sums stand that far apart, and whatever is there stays there.
   constexpr std::size_t kGap = 5;
   RayPoints points(given.feet.size());
-  points.sort(given.feet, given.lattice, kSpacing, given.axis);
+  points.sort(test::chunksOf(given.feet), given.lattice, kSpacing, given.axis);
   RayTally tally{.channels = channels, .visible = visible, .scale = kScale};
   const std::vector<std::int32_t> want =
       test::plainRays(given.lattice, kSpacing, given.axis, given.towards, given.directions, points, tally);
@@ -129,7 +129,7 @@ TEST(ShearedRays, AddToWhatIsThere) {
   // A second sweep doubles the sums.
   const RayCase given = randomCase(0);
   RayPoints points(given.feet.size());
-  points.sort(given.feet, given.lattice, kSpacing, given.axis);
+  points.sort(test::chunksOf(given.feet), given.lattice, kSpacing, given.axis);
   std::vector<std::int32_t> sums(points.count() + kRayPadding, 0);
   const auto sweep = [&] {
     sweepRays(layersOf(given.lattice, kSpacing, given.axis), given.towards, given.directions, points,

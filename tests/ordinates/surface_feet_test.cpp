@@ -92,7 +92,8 @@ void expectCapsByDefinition(GridView<const float> level, const std::vector<Surfa
 void expectFeetByDefinition(GridView<const float> level) {
   const Grid<float> distance = closestDistance(level);
   const SurfaceFeet surface(level, distance.view());
-  const std::vector<SurfaceFoot>& feet = surface.feet();
+  const std::vector<SurfaceFoot> feet = surface.feet();
+  ASSERT_EQ(feet.size(), surface.count());
   std::vector<std::uint16_t> numbers(feet.size());
   for (std::size_t i = 0; i < feet.size(); ++i) numbers[i] = static_cast<std::uint16_t>(i % 60000 + 1);
   const SurfaceField field = surface.spread(numbers);
@@ -140,7 +141,7 @@ TEST(SurfaceFeet, LieOnABallWithItsNormals) {
   Grid<float> distance(level.size());
   for (std::size_t i = 0; i < level.count(); ++i) distance.data()[i] = -level.data()[i];
   const SurfaceFeet surface(level.view(), distance.view());
-  ASSERT_GT(surface.feet().size(), 2000U);
+  ASSERT_GT(surface.count(), 2000U);
   double farthest = 0, leastCosine = 1;
   for (const SurfaceFoot& foot : surface.feet()) {
     const glm::dvec3 out = glm::dvec3(foot.position) - centre;
@@ -156,7 +157,7 @@ TEST(SurfaceFeet, SamplesWithoutAFootTakeThoseThatHaveOne) {
   const Grid<float> level = test::ballLevel(41, 14, {20.3, 19.8, 20.1});
   const Grid<float> distance = closestDistance(level.view());
   const SurfaceFeet surface(level.view(), distance.view());
-  const SurfaceField field = surface.spread(std::vector<std::uint16_t>(surface.feet().size(), 12345));
+  const SurfaceField field = surface.spread(std::vector<std::uint16_t>(surface.count(), 12345));
   int filled = 0;
   test::forEachWithin(level.size(), 0, [&](glm::ivec3 at) {
     const Kind kind = kindOf(level.view(), at);

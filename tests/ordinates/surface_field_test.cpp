@@ -34,14 +34,14 @@ TEST(SurfaceField, KeepsCapsAndWallsApart) {
         const bool border = at[face.axis] == placeOf(face, level.size);
         caps += border && level(at.x, at.y, at.z) > 0 ? 1 : 0;
       });
-    std::vector<std::uint16_t> values(surface.feet().size(), kWall);
+    std::vector<std::uint16_t> values(surface.count(), kWall);
     ASSERT_LE(caps, values.size());
     std::fill(values.end() - static_cast<std::ptrdiff_t>(caps), values.end(), kCap);
     const SurfaceField field = surface.spread(values);
-    test::forEachWithin(field.padded().size, 0, [&](glm::ivec3 at) {
+    test::forEachWithin(field.paddedSize(), 0, [&](glm::ivec3 at) {
       const bool within =
-          glm::all(glm::greaterThan(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, field.padded().size - 1));
-      const std::uint16_t value = field.padded()(at.x, at.y, at.z);
+          glm::all(glm::greaterThan(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, field.paddedSize() - 1));
+      const std::uint16_t value = field.padded(at);
       ASSERT_TRUE(value == 0 || value == (within ? kWall : kCap)) << value;
     });
   }

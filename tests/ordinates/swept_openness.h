@@ -18,6 +18,13 @@ inline SurfaceField opennessOf(GridView<const float> level, const OrdinateOption
   return sweepOpenness(level, distance.view(), options);
 }
 
+/// Of all padded samples.
+inline std::vector<std::uint16_t> paddedNumbers(const SurfaceField& field) {
+  std::vector<std::uint16_t> numbers(voxelCount(field.paddedSize()));
+  field.copyLayers(0, field.paddedSize().z, numbers.data());
+  return numbers;
+}
+
 /// At a point of index space within the grid, 1 = open. At least two samples per axis.
 inline double opennessAt(const SurfaceField& values, glm::dvec3 position) {
   return surfaceValueAt(values, position) / kOpen;

@@ -17,13 +17,14 @@ struct SweptScene {
   SweptScene(Grid<float> level_, int refinement)
       : level(std::move(level_)),
         distance(closestDistance(level.view(), {.extent = DistanceExtent::band})),
-        rays(level.view(), distance.view(), refinement) {}
+        rays(level.view(), distance.view(), refinement),
+        feet_(rays.surface().feet()) {}
   SweptScene(glm::ivec3 size, glm::dvec3 spacing, int refinement, const std::function<double(glm::dvec3)>& f)
       : SweptScene(sampleLevel(size, spacing, f), refinement) {}
   SweptScene(const SweptScene&) = delete;
   SweptScene& operator=(const SweptScene&) = delete;
 
-  const std::vector<SurfaceFoot>& feet() const { return rays.surface().feet(); }
+  const std::vector<SurfaceFoot>& feet() const { return feet_; }
   /// At least that far from the border of the grid, in samples.
   bool isWithin(const SurfaceFoot& foot, double margin) const {
     const glm::dvec3 at(foot.position), most = glm::dvec3(level.size() - 1) - margin;
@@ -32,6 +33,9 @@ struct SweptScene {
 
   Grid<float> level, distance;
   SurfaceRays rays;
+
+ private:
+  std::vector<SurfaceFoot> feet_;
 };
 
 /// At a point of index space.

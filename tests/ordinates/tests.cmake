@@ -3,11 +3,13 @@ isolume_test(test_ordinates
   ordinates/inter_reflection_test.cpp
   ordinates/light_sweeps_test.cpp
   ordinates/openness_caps_test.cpp
+  ordinates/openness_memory_test.cpp
   ordinates/openness_reference_test.cpp
   ordinates/openness_test.cpp
   ordinates/ordinate_set_test.cpp
   ordinates/outline_test.cpp
   ordinates/plane_test.cpp
+  ordinates/ranked_bits_test.cpp
   ordinates/ray_points_test.cpp
   ordinates/sheared_rays_test.cpp
   ordinates/sky_ordinates_test.cpp

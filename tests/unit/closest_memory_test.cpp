@@ -3,9 +3,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <fstream>
-#include <string>
 
+#include "support/resident_peak.h"
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
 #include "sweep/parallel.h"
@@ -13,41 +12,15 @@
 namespace isolume {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kSanitized = true;
-#else
-constexpr bool kSanitized = false;
-#endif
-
-// A line of /proc/self/status in bytes, 0 if there is none.
-std::size_t statusBytes(const std::string& name) {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (word == name + ":") {
-      std::size_t kilobytes = 0;
-      status >> kilobytes;
-      return kilobytes * 1024;
-    }
-  return 0;
-}
-
-// Makes the peak of the resident memory what is resident now; false where that cannot be done.
-bool resetPeak() {
-  std::ofstream("/proc/self/clear_refs") << "5";
-  const std::size_t now = statusBytes("VmRSS"), peak = statusBytes("VmHWM");
-  constexpr std::size_t kSlack = 1 << 20;  // the two are counted a little apart
-  return now != 0 && peak <= now + kSlack;
-}
-
 // Bytes per voxel that the distance takes at its peak, with itself and without the level.
 double peakPerVoxel(GridView<const float> level) {
   setThreadCount(2);
   closestDistance(level);  // buffers of threads stay
-  const bool reset = resetPeak();
+  const bool reset = test::resetPeak();
   EXPECT_TRUE(reset);
-  const std::size_t before = statusBytes("VmRSS");
+  const std::size_t before = test::statusBytes("VmRSS");
   const Grid<float> distance = closestDistance(level);
-  const std::size_t peak = statusBytes("VmHWM");
+  const std::size_t peak = test::statusBytes("VmHWM");
   setThreadCount(0);
   return static_cast<double>(peak - before) / static_cast<double>(level.count());
 }
@@ -55,8 +28,8 @@ double peakPerVoxel(GridView<const float> level) {
 class ClosestMemory : public testing::Test {
  protected:
   void SetUp() override {
-    if (kSanitized) GTEST_SKIP() << "a sanitizer keeps freed memory";
-    if (!resetPeak()) GTEST_SKIP() << "the peak of resident memory cannot be reset here";
+    if (test::kKeepsFreedMemory) GTEST_SKIP() << "a sanitizer keeps freed memory";
+    if (!test::resetPeak()) GTEST_SKIP() << "the peak of resident memory cannot be reset here";
   }
 };
 

@@ -75,7 +75,7 @@ void runOnce(const Surface& surface, const Camera& camera, glm::ivec2 size, Time
     if (octants)
       for (std::size_t i = 0; i < fields.octants.size(); ++i) fields.octants[i] = swept.visibility.packed[i].view();
     else
-      fields.lights = {{std::as_const(openness).padded()}};
+      fields.lights = {{&openness}};
     context = makeContext();
     renderer.emplace(*context).upload(fields);
     renderer->prepare(settings);

@@ -91,7 +91,7 @@ class Judge {
         renderer_(*context_) {
     SceneFields fields = surfaceFields();
     const SweptLighting lighting = sweepForScreen({}, swept);
-    for (const SweptLight& each : lighting.fields) fields.lights.push_back({.values = each.values.padded()});
+    for (const SweptLight& each : lighting.fields) fields.lights.push_back({.values = &each.values});
     renderer_.upload(fields);
     // Where the rays of the pixels hit, and nothing more: shadow takes one ray.
     IntegrandSettings shadow;
@@ -154,7 +154,7 @@ class Judge {
     if (octants)
       for (std::size_t i = 0; i < fields.octants.size(); ++i) fields.octants[i] = visibility.packed[i].view();
     else
-      fields.lights = {{std::as_const(openness).padded()}};
+      fields.lights = {{&openness}};
     Renderer renderer(*context_);
     renderer.upload(fields);
     const RenderSettings settings{.size = size_,
