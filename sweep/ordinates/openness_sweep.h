@@ -31,10 +31,10 @@ std::vector<float> blockedShares(const SurfaceRays& rays, int ordinates);
 std::vector<std::uint16_t> opennessOf(const std::vector<float>& blockedShares);
 
 /// The same from the fields. `level` as of makeLevel(), `distance` exact next to its surface.
-/// Memory: result 2 B per voxel. While it runs: refinement^3 / 4 B per voxel for the lattice (rows rounded up to
-/// words), 3/8 B for the marks of the samples, 56 B for each foot (1 to 3 % of the samples at 256^3 in the sample
-/// scenes), and 4 B more of these per thread; the result is made when 28 of them are free again. std::length_error
-/// where a layer of the lattice has 2^24 points or more (2048^3 refined). Time: bench_ordinates.
+/// Memory: that of the result (surface_field.h). While it runs: refinement^3 / 4 B per voxel for the lattice (rows
+/// rounded up to words), 5/16 B for the marks of the samples, 36 B for each foot (1 to 3 % of the samples at 256^3 in
+/// the sample scenes), and 4 B more of these for each thread but the first. std::length_error where a layer of the
+/// lattice has 2^24 points or more (2048^3 refined). Time: bench_ordinates.
 SurfaceField sweepOpenness(GridView<const float> level, GridView<const float> distance,
                            const OrdinateOptions& options = {});
 

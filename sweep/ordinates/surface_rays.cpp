@@ -56,7 +56,14 @@ SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> dist
       throw std::length_error("openness: expected layers of fewer than 2^24 lattice points: take refinement 1");
   }
   if (orders == Orders::remade) return;
-  for (int axis = 0; axis < 3; ++axis) kept_.emplace_back(count()).sort(surface_.chunks(), lattice_, spacing_, axis);
+  // Made once for the three orders.
+  const std::vector<SurfaceFoot> feet = surface_.feet();
+  FootChunks chunks = surface_.chunks();
+  chunks.add = [&feet, begin = chunks.begin](std::size_t chunk, std::vector<SurfaceFoot>& to) {
+    const auto at = [&](std::size_t i) { return feet.begin() + static_cast<std::ptrdiff_t>(begin[i]); };
+    to.insert(to.end(), at(chunk), at(chunk + 1));
+  };
+  for (int axis = 0; axis < 3; ++axis) kept_.emplace_back(count()).sort(chunks, lattice_, spacing_, axis);
 }
 
 SurfaceFeet SurfaceRays::takeSurface() && {

@@ -2,9 +2,9 @@
 // sweeps over directions of any kind: the sky, a map, a disc.
 //
 // Memory: surface_feet.h and solid_lattice.h; per foot 84 bytes for the three orders of points (ray_points.h) where
-// they are kept, and 28 while a sweep runs where they are remade; while a sweep runs 4 bytes per
-// foot and channel, and 4 more for each thread at work. Sweeps are threaded, bitwise the same for any number of threads
-// and any SIMD width.
+// they are kept, 24 more while they are made, and 28 while a sweep runs where they are remade; while a sweep runs 4
+// bytes per foot and channel, and 4 more for each thread at work. Sweeps are threaded, bitwise the same for any number
+// of threads and any SIMD width.
 #pragma once
 
 #include <array>
