@@ -58,7 +58,7 @@ CommandParser::CommandParser() {
 
   CLI::App& drawing = add("render", "draw the isosurface of a volume into a PNG or EXR");
   addSurfaceOptions(drawing, render.surface);
-  addDistanceOptions(drawing, render.surface.distance, "band");
+  addDistanceOptions(drawing, render.surface.distance, "band", "what is read");
   addRenderOptions(drawing, render);
   addRunOptions(drawing, render.run);
 
@@ -79,7 +79,7 @@ CommandParser::CommandParser() {
             for (const std::string& name : splitList(text)) fields.others.*parseChoice(option, name, choices) = true;
           },
           "further grids, at the samples next to the surface:\nopenness,bent,thickness");
-  addDistanceOptions(sweeping, fields.surface.distance, "full");
+  addDistanceOptions(sweeping, fields.surface.distance, "full", "3 voxels");
   addOutputOption(sweeping, fields.output, "FILE", "VDB to write (.vdb)");
   addRunOptions(sweeping, fields.run);
 
