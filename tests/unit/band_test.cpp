@@ -54,6 +54,18 @@ TEST(Band, IsTheWholeFieldCutOff) {
     }
 }
 
+TEST(Band, IsTheWholeFieldCutOffBesideWallsAtEveryPlace) {
+  // The same beside a wall across each axis at every place of a grid of a few tiles: the band reaches into tiles that
+  // hold no start value, on either side.
+  for (int axis = 0; axis < 3; ++axis)
+    for (int place = 3; place < 36; ++place) {
+      SCOPED_TRACE(testing::Message() << "axis " << axis << ", wall at " << place);
+      const auto wall =
+          test::sampleLevel(glm::ivec3(40), glm::dvec3(1), [&](glm::dvec3 p) { return p[axis] - place - .3; });
+      expectBandIsTheCutField(wall.view(), 3, 1);
+    }
+}
+
 TEST(Band, IsTheWholeFieldCutOffOnDegenerateGrids) {
   // The same on small grids of every degenerate kind; without a surface all is beyond the band.
   for (int i = 0; i < 2000; ++i) {
