@@ -101,11 +101,14 @@ Grid<float> sweepBand(GridView<const float> level, const SweepOptions& options) 
   for (int round = 0; round < options.rounds; ++round)
     if (!sweeper.sweepRound(&spans)) break;
 
+  // Beyond the spans is the bound, which needs no change where the unit is 1.
+  const std::vector<TileSpan> whole{{0, level.size.x}};
   parallelFor(static_cast<std::size_t>(tiles.layers), [&](std::size_t plane) {
     const int layer = static_cast<int>(plane);
     for (int block = 0; block < tiles.blocks; ++block) {
-      if (spans[tiles.index(block, layer)].empty() && smallest == 1) continue;  // the bound needs no change
-      tiles.forEachRow(block, layer, [&](int y, int z) { finishRow(rowOf(y, z), level.size.x, smallest); });
+      for (const TileSpan& span : smallest == 1 ? spans[tiles.index(block, layer)] : whole)
+        tiles.forEachRow(block, layer,
+                         [&](int y, int z) { finishRow(rowOf(y, z) + span.first, span.count, smallest); });
     }
   });
   return grid;

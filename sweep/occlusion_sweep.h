@@ -79,10 +79,11 @@ struct SweepOptions {
   int rounds = 1;
   /// band: |D| = min(K, the |D| of `full`) in smallest spacings, bit for bit, K = max(k + 1, the largest spacing), k =
   /// bandVoxels >= 0. So D is that of the whole domain within k voxels and more, and next to the surface at any
-  /// spacing, and a lower bound of it beyond. (closest: closest/closest_distance.h.) Costs time where the band is: of
-  /// ball, torus and gyroid in bench_closest 4, 4 and 19 % of the samples are below the bound, and 18, 17 and 48 % lie
-  /// in spans that reach it, which godunov sweeps eight times. One read and one write of the grid take .06 of the whole
-  /// domain's time.
+  /// spacing, and a lower bound of it beyond. (closest: closest/closest_distance.h.) Costs time where the band
+  /// is: of ball, torus and gyroid at 250^3 2, 2 and 10 % of the samples are below the bound with k = 1 (4, 3 and 19 %
+  /// with 3), and 9, 8 and 37 % lie in spans that reach it (13, 12 and 43 %), which godunov sweeps eight times. Of the
+  /// whole domain's time, k = 1 takes .29 to .36, .25 to .30 and .54 to .63, the start values alone .14 to .16, .13 to
+  /// .15 and .18 to .23.
   DistanceExtent extent = DistanceExtent::full;
   int bandVoxels = kBandVoxels;
 };

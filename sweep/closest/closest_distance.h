@@ -13,8 +13,11 @@
 // With extent = band, step 2 is left out. D is the full solution's, bit for bit, at the samples of the band: the
 // corners of cells with surface and k = bandVoxels layers about them, however far apart samples are. Elsewhere |D| is k
 // + 1 smallest spacings. A sample outside the band is no nearer to the surface than that (surface_band.h), so there it
-// is a lower bound of the true distance. Bands of other k differ in the last bits at most, unless a sheet was found by
-// way of outer layers alone.
+// is a lower bound of the true distance. Next to the surface bands of 1 and of 3 layers gave the same bits on the
+// shapes below, a gyroid and noise. Of the whole domain's time at 250^3 a band of 1 takes .24 to .29 on the sphere, .19
+// to .24 on the torus and .39 to .52 on the gyroid, of 3 .32 to .38, .27 to .34 and .65 to .78; the corners of cells
+// with surface alone .13 to .16, .12 to .13 and .22 to .28: on the gyroid, where these are 8 % of all samples, a band
+// is not to be had for a quarter.
 //
 // Near a smooth surface D is that of the interpolant, whose own error is h^2 / 8 times the sum of second derivatives
 // over the steepness: second order. Where several sheets are about equally far (rims, noise), another than the nearest
