@@ -1,6 +1,7 @@
 #include "near_sets.h"
 
 #include "parallel.h"
+#include "surface_start.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/near_sets.cpp"
@@ -14,15 +15,20 @@ namespace isolume::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void positiveBitsOnTarget(const float* values, int count, std::uint64_t* words) {
-  const hn::CappedTag<float, 16> d;
+using FloatTag = hn::CappedTag<float, 16>;
+
+// Bits of the values for which the test holds, for vectors and for one.
+template <class TestVector, class TestOne>
+HWY_INLINE void bitsWhere(const float* values, int count, const TestVector& vector, const TestOne& one,
+                          std::uint64_t* words) {
+  const FloatTag d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const std::uint64_t used = (std::uint64_t{1} << lanes) - 1;
   std::uint64_t word = 0;
   int x = 0;
   for (; x + lanes <= count; x += lanes) {
     std::uint8_t bytes[8] = {};  // as many as StoreMaskBits may write
-    hn::StoreMaskBits(d, hn::Gt(hn::LoadU(d, values + x), hn::Zero(d)), bytes);
+    hn::StoreMaskBits(d, vector(hn::LoadU(d, values + x)), bytes);
     std::uint64_t bits;
     std::memcpy(&bits, bytes, sizeof bits);
     word |= (bits & used) << (x % kWordBits);
@@ -30,8 +36,24 @@ void positiveBitsOnTarget(const float* values, int count, std::uint64_t* words) 
     words[x / kWordBits] = word;
     word = 0;
   }
-  for (; x < count; ++x) word |= std::uint64_t{values[x] > 0} << (x % kWordBits);
+  for (; x < count; ++x) word |= std::uint64_t{one(values[x])} << (x % kWordBits);
   if (count % kWordBits != 0) words[count / kWordBits] = word;
+}
+
+void positiveBitsOnTarget(const float* values, int count, std::uint64_t* words) {
+  const auto isPositive = [](auto value) { return hn::Gt(value, hn::Zero(FloatTag())); };
+  bitsWhere(
+      values, count, isPositive, [](float value) { return value > 0; }, words);
+}
+
+void fixedBitsOnTarget(const float* values, int count, std::uint64_t* words) {
+  const auto isFixedLane = [](auto value) {
+    const FloatTag d;
+    const hn::RebindToUnsigned<FloatTag> du;
+    return hn::RebindMask(d, hn::TestBit(hn::BitCast(du, value), hn::Set(du, kFixedBit)));
+  };
+  bitsWhere(
+      values, count, isFixedLane, [](float value) { return isFixed(value); }, words);
 }
 
 }  // namespace isolume::HWY_NAMESPACE
@@ -41,9 +63,14 @@ HWY_AFTER_NAMESPACE();
 namespace isolume {
 
 HWY_EXPORT(positiveBitsOnTarget);
+HWY_EXPORT(fixedBitsOnTarget);
 
 void positiveBits(const float* values, int count, std::uint64_t* words) {
   HWY_DYNAMIC_DISPATCH(positiveBitsOnTarget)(values, count, words);
+}
+
+void fixedBits(const float* values, int count, std::uint64_t* words) {
+  HWY_DYNAMIC_DISPATCH(fixedBitsOnTarget)(values, count, words);
 }
 
 BitGrid insideSamples(GridView<const float> level) {

@@ -10,6 +10,9 @@ namespace isolume {
 /// Bits of value > 0 for `count` values, into whole words (rounded up), zeros beyond. NaN is 0.
 void positiveBits(const float* values, int count, std::uint64_t* words);
 
+/// The same bits of those that say fixed (surface_start.h).
+void fixedBits(const float* values, int count, std::uint64_t* words);
+
 /// The samples with level > 0. Threaded.
 BitGrid insideSamples(GridView<const float> level);
 

@@ -6,11 +6,12 @@
 #include <limits>
 #include <utility>
 
-#include "band_cells.h"
+#include "band_spans.h"
 #include "closest/closest_distance.h"
 #include "distance_sweeper.h"
 #include "fixed_light_sweeper.h"
 #include "light_sweeper.h"
+#include "near_sets.h"
 #include "parallel.h"
 #include "surface_start.h"
 
@@ -65,38 +66,49 @@ Grid<float> sweepWholeDomain(GridView<const float> level, const SweepOptions& op
   return grid;
 }
 
+// In smallest spacings; the fixed bit is clear.
+float bandBound(glm::dvec3 spacing, int voxels) {
+  const double largest = std::max({spacing.x, spacing.y, spacing.z}) / smallestSpacing(spacing);
+  const auto bound = static_cast<float>(std::max(voxels + 1.0, largest));
+  return isFixed(bound) ? std::nextafter(bound, kUnsetDistance) : bound;
+}
+
 // Values start at the bound in place of unset: what they come to below it is the same (upwind_update-inl.h).
 Grid<float> sweepBand(GridView<const float> level, const SweepOptions& options) {
   Grid<float> grid(level.size, level.spacing, level.origin);
   const GridView<float> distance = grid.view();
   const auto smallest = static_cast<float>(smallestSpacing(level.spacing));
-  const auto bound = static_cast<float>(options.bandVoxels + 1);
+  const float bound = bandBound(level.spacing, options.bandVoxels);
   const auto rowOf = [&](int y, int z) { return distance.data + z * distance.strideZ() + y * distance.strideY(); };
 
-  BandCells cells(level.size);
-  parallelFor(static_cast<std::size_t>(cells.layers()), [&](std::size_t layer) {
-    const int first = static_cast<int>(layer) * BandCells::kCell.z;
-    for (int z = first; z < std::min(first + BandCells::kCell.z, level.size.z); ++z)
-      for (int y = 0; y < level.size.y; ++y)
-        if (startRow(level, options.start, bound, y, z, rowOf(y, z))) cells.markRow(y, z, rowOf(y, z));
+  BitGrid fixed(level.size);
+  parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t plane) {
+    const int z = static_cast<int>(plane);
+    for (int y = 0; y < level.size.y; ++y)
+      if (startRow(level, options.start, bound, y, z, rowOf(y, z)))
+        fixedBits(rowOf(y, z), level.size.x, fixed.row(y, z));
   });
-  cells.grow(level.spacing / static_cast<double>(smallest), bound);
+  const int chain = longestChain(level.size, level.spacing / static_cast<double>(smallest), bound);
 
   DistanceSweeper sweeper(distance, makeSweepMetric(level.spacing));
   const TileGrid& tiles = sweeper.tiles();
   std::vector<std::vector<TileSpan>> spans(tiles.count());
   parallelFor(static_cast<std::size_t>(tiles.layers), [&](std::size_t layer) {
     for (int block = 0; block < tiles.blocks; ++block)
-      spans[tiles.index(block, static_cast<int>(layer))] = cells.spans(tiles, block, static_cast<int>(layer));
+      spans[tiles.index(block, static_cast<int>(layer))] =
+          bandSpans(fixed, chain, tiles, block, static_cast<int>(layer));
   });
   for (int round = 0; round < options.rounds; ++round)
     if (!sweeper.sweepRound(&spans)) break;
 
+  // Beyond the spans is the bound, which needs no change where the unit is 1.
+  const std::vector<TileSpan> whole{{0, level.size.x}};
   parallelFor(static_cast<std::size_t>(tiles.layers), [&](std::size_t plane) {
     const int layer = static_cast<int>(plane);
     for (int block = 0; block < tiles.blocks; ++block) {
-      if (spans[tiles.index(block, layer)].empty() && smallest == 1) continue;  // the bound needs no change
-      tiles.forEachRow(block, layer, [&](int y, int z) { finishRow(rowOf(y, z), level.size.x, smallest); });
+      for (const TileSpan& span : smallest == 1 ? spans[tiles.index(block, layer)] : whole)
+        tiles.forEachRow(block, layer,
+                         [&](int y, int z) { finishRow(rowOf(y, z) + span.first, span.count, smallest); });
     }
   });
   return grid;

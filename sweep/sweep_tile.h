@@ -31,14 +31,16 @@ struct SweepMetric {
 };
 SweepMetric makeSweepMetric(glm::dvec3 spacing, float opacity = 1);
 
-/// The part of a tile's rows that is swept, in canonical x. What lies beside it counts as outside.
+/// The part of a tile's rows that is swept, in canonical x. What lies beside it counts as outside or, within a vector's
+/// lanes, may be there as in the grid: before the span that must be values that lower nothing; behind it they are
+/// upwind of none of its samples, and what becomes of them is not stored.
 struct TileSpan {
   int first = 0, count = 0;
 };
 
 /// Buffers of one block of rows (all its tiles along z in turn), 64 bytes aligned by the owner. Steps are counted from
-/// -frontPad(), in the tile's own `distance` from the start of the span; an entry outside the grid or the span holds
-/// kOutsideDistance.
+/// -frontPad(), in the tile's own `distance` from the start of the span; an entry outside the grid holds
+/// kOutsideDistance, one outside the span that or its own value.
 struct TileBuffers {
   int rowLength = 0;           ///< of the grid: gives the sizes of all buffers
   float* distance = nullptr;   ///< [plane][step][lane], in and out

@@ -138,9 +138,11 @@ HWY_INLINE void loadPlane(const OctantWalk& walk, int y, int z, TileSpan span, c
   const bool nextExists = z + 1 >= 0 && z + 1 < walk.size.z;
   const bool forward = walk.strideX > 0;
   const float* start = grid + walk.start + z * walk.strideZ + span.first * walk.strideX;
-  visitSteps(span, lanes, [&](int t, bool whole) {
+  visitSteps(span, lanes, [&](int t, bool) {
     FloatVec rows[lanes];
-    if (whole && allRows) {
+    // What lies beside the span may come along: no mask is cheaper than one.
+    const bool inGrid = span.first + t >= lanes - 1 && span.first + t + lanes <= walk.size.x;
+    if (inGrid && allRows) {
       // Lane by lane one row further and one voxel back.
       const float* first = memoryStart(start + y * walk.strideY, walk.strideX, t, lanes);
       const std::ptrdiff_t step = walk.strideY - walk.strideX;

@@ -24,7 +24,8 @@ struct TileOrigin {
   int y = 0, z = 0;
 };
 
-/// Fills a span of a tile's buffer, and the steps around it; what is not in the grid or the span is outside.
+/// Fills a span of a tile's buffer, and the steps around it; what is not in the grid is outside, what is not in the
+/// span outside or as in the grid.
 void loadTile(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* buffer);
 /// The same for what the tile upwind in z hands over (TileBuffers::carried), from the grid.
 void loadCarried(const OctantWalk& walk, TileOrigin origin, TileSpan span, const float* grid, float* carried);

@@ -59,7 +59,7 @@ CommandParser::CommandParser() {
 
   CLI::App& drawing = add("render", "draw the isosurface of a volume into a PNG or EXR");
   addSurfaceOptions(drawing, render.surface);
-  addDistanceOptions(drawing, render.surface.distance, "band");
+  addDistanceOptions(drawing, render.surface.distance, "band", "what is read");
   addRenderOptions(drawing, render);
   addRunOptions(drawing, render.run);
 
@@ -82,7 +82,7 @@ CommandParser::CommandParser() {
           "further grids, at the samples next to the surface:\nopenness,bent,thickness");
   addOrdinatesOption(sweeping, "Output", fields.occlusion, "directions that they are swept by");
   addTransportOptions(sweeping, "Output", fields.occlusion);
-  addDistanceOptions(sweeping, fields.surface.distance, "full");
+  addDistanceOptions(sweeping, fields.surface.distance, "full", "3 voxels");
   addOutputOption(sweeping, fields.output, "FILE", "VDB to write (.vdb)");
   addRunOptions(sweeping, fields.run);
 

@@ -74,7 +74,8 @@ void addSurfaceOptions(CLI::App& app, SurfaceRequest& target) {
   addReadOptions(app, target.input, target.read);
 }
 
-void addDistanceOptions(CLI::App& app, DistanceRequest& target, const std::string& defaultExtent) {
+void addDistanceOptions(CLI::App& app, DistanceRequest& target, const std::string& defaultExtent,
+                        const std::string& band) {
   OptionGroup group(app, "Distance");
   group.value(
       "--solver", "NAME",
@@ -96,8 +97,8 @@ void addDistanceOptions(CLI::App& app, DistanceRequest& target, const std::strin
         target.extent =
             parseChoice<DistanceExtent>(option, text, {{"band", DistanceExtent::band}, {"full", DistanceExtent::full}});
       },
-      "band: 3 voxels about the surface, a safe lower bound\nbeyond; or full, the whole grid (default: " +
-          defaultExtent + ")");
+      "band: " + band +
+          " about the surface, a safe lower bound\nbeyond; or full, the whole grid (default: " + defaultExtent + ")");
 }
 
 void addOutputOption(CLI::App& app, std::string& target, const std::string& valueName, const std::string& description) {

@@ -171,6 +171,7 @@ void runRenderJob(const RenderJob& request) {
   }
   const Shading shading = shadingOf(occlusion.method);
   FieldNeeds needs{.distance = job.normals == NormalSource::distance || shading == Shading::lights};
+  needs.bandVoxels = job.normals == NormalSource::distance ? kBandVoxels : kSurfaceBandVoxels;
   if (shading == Shading::octants) needs.visibility = VisibilityStorage::rgba8;
   if (byOctants(occlusion.method)) needs.opacity = static_cast<float>(job.light.opacity.value_or(1));
   if (occlusion.method == OcclusionMethod::combined) {

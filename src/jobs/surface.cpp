@@ -132,6 +132,7 @@ SweptScene loadScene(const SurfaceRequest& request, const FieldNeeds& needs, Sta
   SweepOptions method = distanceMethod(request.distance, needs.visibility, needs.extent);
   method.opacity = needs.opacity;
   method.intensities = needs.intensities;
+  method.bandVoxels = needs.bandVoxels;
   SweptScene scene;
   if (isFieldsFile(request.input)) {
     if (needs.opacity != 1 || needs.visibility == VisibilityStorage::combined)

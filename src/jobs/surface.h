@@ -54,6 +54,7 @@ struct FieldNeeds {
   float opacity = 1;                             ///< of the visibility
   OctantIntensities intensities = kEvenOctants;  ///< of the combined visibility
   DistanceExtent extent = DistanceExtent::band;  ///< of the distance, if the user does not say
+  int bandVoxels = kBandVoxels;                  ///< of a band
 };
 
 /// Stages `read` and, as needed, `distance` and `visibility`; a file of fields leaves no choice of surface (UsageError

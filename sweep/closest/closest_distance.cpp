@@ -12,7 +12,7 @@
 namespace isolume {
 namespace {
 
-// `limit` everywhere but in the band, and nowhere more; negative inside.
+// `limit` everywhere but in the band; negative inside.
 void writeBandDistance(GridView<const float> level, const BitGrid& band, float limit, OffsetField& field) {
   const auto unit = static_cast<float>(smallestSpacing(level.spacing));
   parallelFor(static_cast<std::size_t>(level.size.z), [&](std::size_t plane) {
@@ -29,7 +29,7 @@ void writeBandDistance(GridView<const float> level, const BitGrid& band, float l
         limitTo(begin);
         offsetsToDistance(row + x, field.component[1].data() + at + x, field.component[2].data() + at + x, levels + x,
                           unit, static_cast<std::size_t>(end - begin), row + x);
-        for (; x < end; ++x) row[x] = std::clamp(row[x], -limit, limit);
+        x = end;
       });
       limitTo(level.size.x);
     }

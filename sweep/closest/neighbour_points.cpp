@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <climits>
 #include <cstring>
 #include <span>
 
@@ -47,6 +48,10 @@ inline constexpr AllSteps kSteps = makeSteps();
 
 // Offsets shorter than this are too inexact for a direction, in smallest spacings: Newton's steps leave 1e-6.
 inline constexpr float kShortestNormal = 1e-3F;
+
+// Bits in four bytes: a vector's lanes and up to seven before them.
+inline constexpr unsigned kFourBytes = 32;
+static_assert(kBatchGroup + CHAR_BIT - 1 <= kFourBytes && kFourBytes < kWordBits);
 
 // Rows of the next plane that are fetched so far ahead cost a tenth to a fifth less of the whole band.
 inline constexpr int kRowsAhead = 4;
@@ -116,15 +121,16 @@ class RowsAround {
   Vec3 ownPoints(const RowPart& part) const { return pointsAt(rows_[kRows / 2].points, part.x, part.bits); }
 
   // Calls offer(candidates, points, has) for the neighbours at those steps that have points: these as seen from the
-  // samples, as seen from themselves, and which they are.
-  template <class Offer>
+  // samples, as seen from themselves, and which they are. `kOften`: most steps have some; then to look whether any has
+  // costs more, by wrong guesses of the branch, than to offer none.
+  template <bool kOften, class Offer>
   HWY_INLINE void forNeighbours(const RowPart& part, std::span<const Step> steps, const Offer& offer) const {
     const FloatTag d;
     for (const Step step : steps) {
       const Row& row = rows_[static_cast<std::size_t>(step.row)];
       if (row.bits == nullptr) continue;
       const std::uint64_t bits = bitsFrom(row.bits, part.x + step.dx) & part.bits;
-      if (bits == 0) continue;
+      if (!kOften && bits == 0) continue;
       const Vec3 points = pointsAt(row.points, part.x + step.dx, bits);
       const Vec3 candidates = {hn::Add(points.x, hn::Set(d, static_cast<float>(step.dx) * unitX_)),
                                hn::Add(points.y, hn::Set(d, row.moveY)), hn::Add(points.z, hn::Set(d, row.moveZ))};
@@ -143,11 +149,14 @@ class RowsAround {
   HWY_INLINE std::uint64_t bitsFrom(const std::uint64_t* row, int from) const {
     if (from < 0) return row[0] << 1;
     const auto at = static_cast<unsigned>(from);
-    const unsigned word = at / kWordBits, shift = at % kWordBits;
-    if (word >= static_cast<unsigned>(words_)) return 0;
-    const std::uint64_t low = row[word] >> shift;
-    if (shift + kBatchGroup <= kWordBits || word + 1 == static_cast<unsigned>(words_)) return low;
-    return low | row[word + 1] << (kWordBits - shift);
+    // Four bytes hold the lanes at any shift; at the end of the row they would be of the next one.
+    if (at + kFourBytes <= static_cast<unsigned>(words_ * kWordBits)) {
+      std::uint32_t bits;
+      std::memcpy(&bits, reinterpret_cast<const char*>(row) + at / CHAR_BIT, sizeof bits);
+      return bits >> at % CHAR_BIT;
+    }
+    const unsigned word = at / kWordBits;
+    return word >= static_cast<unsigned>(words_) ? 0 : row[word] >> at % kWordBits;
   }
 
   int words_;
@@ -169,21 +178,23 @@ HWY_INLINE void forParts(const BitRow& wanted, const OnPart& onPart) {
     }
 }
 
+// Whole vectors are written, of which what is meant comes first: the batch has room.
 HWY_INLINE void append(const RowPart& part, int y, int z, FloatMask which, const Vec3& offset, const Vec3& trial,
                        PointBatch& batch) {
   const FloatTag d;
   const IntTag di;
   const std::size_t at = batch.count;
-  const auto put = [&](FloatVec v, PointBatch::Floats& to) { hn::CompressStore(v, which, d, to.data() + at); };
+  const auto put = [&](FloatVec v, PointBatch::Floats& to) { hn::StoreU(hn::Compress(v, which), d, to.data() + at); };
   put(offset.x, batch.offset[0]);
   put(offset.y, batch.offset[1]);
   put(offset.z, batch.offset[2]);
   put(trial.x, batch.trial[0]);
   put(trial.y, batch.trial[1]);
   put(trial.z, batch.trial[2]);
+  hn::StoreU(hn::Compress(hn::Iota(di, part.x), hn::RebindMask(di, which)), di, batch.x.data() + at);
   hn::StoreU(hn::Set(di, y), di, batch.y.data() + at);
   hn::StoreU(hn::Set(di, z), di, batch.z.data() + at);
-  batch.count += hn::CompressStore(hn::Iota(di, part.x), hn::RebindMask(di, which), di, batch.x.data() + at);
+  batch.count += hn::CountTrue(d, which);
 }
 
 void startsInRow(const KnownPoints& known, int y, int z, const BitRow& wanted, PointBatch& batch) {
@@ -195,20 +206,25 @@ void startsInRow(const KnownPoints& known, int y, int z, const BitRow& wanted, P
     Vec3 best = {hn::Set(d, kUnsetOffset), zero, zero}, normal = {zero, zero, zero};
     const auto none = hn::Set(d, kUnsetOffset * kUnsetOffset);
     auto nearest = none;
-    RowPart left = part;
-    for (std::size_t axes = 1; axes <= 3 && left.bits != 0; ++axes) {
+    const auto take = [&](const Vec3& candidate, const Vec3& points, FloatMask has) {
+      const auto length = dot(candidate, candidate);
+      const auto nearer = hn::And(hn::Lt(length, nearest), has);
+      best = chosen(nearer, candidate, best);
+      normal = chosen(nearer, points, normal);
+      nearest = hn::IfThenElse(nearer, length, nearest);
+    };
+    const auto without = [&] {
       std::uint64_t found = 0;
-      rows.forNeighbours(left, kSteps.along(axes), [&](const Vec3& candidate, const Vec3& points, FloatMask has) {
-        const auto length = dot(candidate, candidate);
-        const auto nearer = hn::And(hn::Lt(length, nearest), has);
-        best = chosen(nearer, candidate, best);
-        normal = chosen(nearer, points, normal);
-        nearest = hn::IfThenElse(nearer, length, nearest);
-      });
       std::uint8_t bytes[8] = {};  // as many as StoreMaskBits may write
       hn::StoreMaskBits(d, hn::Lt(nearest, none), bytes);
       std::memcpy(&found, bytes, sizeof found);
-      left.bits &= ~found;
+      return RowPart{part.x, part.bits & ~found};
+    };
+    rows.forNeighbours<true>(part, kSteps.along(1), take);
+    for (std::size_t axes = 2; axes <= 3; ++axes) {
+      const RowPart left = without();
+      if (left.bits == 0) break;
+      rows.forNeighbours<false>(left, kSteps.along(axes), take);
     }
     const auto squared = dot(normal, normal);
     const auto foot = scaled(normal, hn::Div(dot(best, normal), squared));
@@ -225,7 +241,7 @@ void nearerInRow(const KnownPoints& known, int y, int z, const BitRow& wanted, f
     Vec3 best = rows.ownPoints(part);
     auto nearest = hn::Mul(dot(best, best), hn::Set(d, share));
     auto taken = hn::Lt(nearest, nearest);
-    rows.forNeighbours(part, kSteps.along(1), [&](const Vec3& candidate, const Vec3&, FloatMask has) {
+    rows.forNeighbours<true>(part, kSteps.along(1), [&](const Vec3& candidate, const Vec3&, FloatMask has) {
       const auto length = dot(candidate, candidate);
       const auto nearer = hn::And(hn::Lt(length, nearest), has);
       best = chosen(nearer, candidate, best);
@@ -245,7 +261,7 @@ void doubtfulInRow(const KnownPoints& known, int y, int z, const BitRow& wanted,
     const Vec3 own = rows.ownPoints(part);
     const auto length = dot(own, own);
     auto other = hn::Lt(length, length);
-    rows.forNeighbours(part, kSteps.along(1), [&](const Vec3& there, const Vec3&, FloatMask has) {
+    rows.forNeighbours<true>(part, kSteps.along(1), [&](const Vec3& there, const Vec3&, FloatMask has) {
       const Vec3 apart = {hn::Sub(there.x, own.x), hn::Sub(there.y, own.y), hn::Sub(there.z, own.z)};
       const auto out = dot(apart, own);
       const auto leaves = hn::Gt(hn::Mul(out, out), hn::Mul(hn::Mul(slope, length), dot(apart, apart)));

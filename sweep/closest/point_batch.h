@@ -45,10 +45,6 @@ struct PointBatch {
     count = 0;
     firstPlane = firstPlane_;
   }
-  void resize(std::size_t samples) {
-    makeRoom(samples);
-    count = samples;
-  }
   /// For that many samples, and for a whole vector to be written at any of them.
   void makeRoom(std::size_t samples) {
     if (samples + kBatchGroup <= x.size()) return;

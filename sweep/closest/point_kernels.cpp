@@ -1,5 +1,6 @@
 #include "point_kernels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -176,6 +177,47 @@ void searchBatch(const PointFrame& frame, bool first, int looks, PointBatch& bat
   }
 }
 
+// The samples of `from` that are still searching, in order, to the start of `to` and of `toOrigin`, which have room for
+// all and a vector more; sample i was fromOrigin[i], or i. Returns how many.
+std::size_t takeSearching(const PointBatch& from, const std::int32_t* fromOrigin, PointBatch& to,
+                          std::int32_t* toOrigin) {
+  const FloatTag d;
+  const IntTag di;
+  const hn::Rebind<std::uint8_t, FloatTag> bytes;
+  const auto searching = hn::Set(di, static_cast<std::int32_t>(PointState::searching));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < from.count; i += hn::Lanes(d)) {
+    const auto* states = reinterpret_cast<const std::uint8_t*>(from.state.data()) + i;
+    const auto isOne = hn::FirstN(di, std::min(from.count - i, hn::Lanes(d)));
+    const auto taken = hn::And(isOne, hn::Eq(hn::PromoteTo(di, hn::LoadU(bytes, states)), searching));
+    if (hn::AllFalse(di, taken)) continue;
+    const auto takenFloats = hn::RebindMask(d, taken);
+    const auto put = [&](const PointBatch::Floats& values, PointBatch::Floats& out) {
+      hn::StoreU(hn::Compress(hn::LoadU(d, values.data() + i), takenFloats), d, out.data() + count);
+    };
+    const auto putPlace = [&](const std::vector<std::int32_t>& values, std::vector<std::int32_t>& out) {
+      hn::StoreU(hn::Compress(hn::LoadU(di, values.data() + i), taken), di, out.data() + count);
+    };
+    putPlace(from.x, to.x);
+    putPlace(from.y, to.y);
+    putPlace(from.z, to.z);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      put(from.offset[axis], to.offset[axis]);
+      put(from.trial[axis], to.trial[axis]);
+      put(from.retreat[axis], to.retreat[axis]);
+    }
+    put(from.nearest, to.nearest);
+    put(from.promised, to.promised);
+    put(from.share, to.share);
+    put(from.tries, to.tries);
+    const auto origin =
+        fromOrigin == nullptr ? hn::Iota(di, static_cast<std::int32_t>(i)) : hn::LoadU(di, fromOrigin + i);
+    hn::StoreU(hn::Compress(origin, taken), di, toOrigin + count);
+    count += hn::CountTrue(di, taken);
+  }
+  return count;
+}
+
 }  // namespace isolume::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -193,6 +235,7 @@ constexpr int kLooks[] = {2, 1, 1, 2, 4, 6, 16};
 HWY_EXPORT(crossingStarts);
 HWY_EXPORT(searchBatch);
 HWY_EXPORT(sheetsBatch);
+HWY_EXPORT(takeSearching);
 
 PointFrame::PointFrame(GridView<const float> view) : level(view.data), size(view.size) {
   const LevelInterpolant interpolant(view, smallestSpacing(view.spacing));
@@ -213,34 +256,31 @@ void doubtOtherSheets(const PointFrame& frame, PointBatch& batch) { HWY_DYNAMIC_
 
 void searchPoints(const PointFrame& frame, PointBatch& batch) {
   // The samples of `batch` that are still searching, and what they were there.
-  static thread_local std::vector<std::size_t> origin;
+  static thread_local std::vector<std::int32_t> origin, nextOrigin;
   static thread_local PointBatch part, next;
   PointBatch* now = &batch;
   part.firstPlane = next.firstPlane = batch.firstPlane;
-  origin.clear();
+  const auto giveBack = [&](std::size_t i, PointState state) {
+    const auto at = static_cast<std::size_t>(origin[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) batch.offset[axis][at] = now->offset[axis][i];
+    batch.state[at] = state;
+  };
   for (std::size_t phase = 0; phase < std::size(kLooks); ++phase) {
     now->pad();
     HWY_DYNAMIC_DISPATCH(searchBatch)(frame, phase == 0, kLooks[phase], *now);
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < now->count; ++i) left += now->state[i] == PointState::searching ? 1 : 0;
-    next.resize(left);
-    if (phase == 0) origin.resize(left);
-    left = 0;
-    for (std::size_t i = 0; i < now->count; ++i) {
-      const std::size_t at = phase == 0 ? i : origin[i];
-      if (phase != 0) {
-        for (std::size_t axis = 0; axis < 3; ++axis) batch.offset[axis][at] = now->offset[axis][i];
-        batch.state[at] = now->state[i];
-      }
-      if (now->state[i] != PointState::searching) continue;
-      next.copy(left, *now, i);
-      origin[left++] = at;
-    }
-    if (left == 0) return;
+    if (phase != 0)
+      for (std::size_t i = 0; i < now->count; ++i)
+        if (now->state[i] != PointState::searching) giveBack(i, now->state[i]);
+    next.makeRoom(now->count);
+    nextOrigin.resize(now->count + kBatchGroup);
+    next.count =
+        HWY_DYNAMIC_DISPATCH(takeSearching)(*now, phase == 0 ? nullptr : origin.data(), next, nextOrigin.data());
+    if (next.count == 0) return;
     std::swap(part, next);
+    std::swap(origin, nextOrigin);
     now = &part;
   }
-  for (std::size_t i = 0; i < now->count; ++i) batch.state[origin[i]] = PointState::stuck;
+  for (std::size_t i = 0; i < now->count; ++i) giveBack(i, PointState::stuck);
 }
 
 }  // namespace isolume

@@ -99,6 +99,25 @@ struct VectorSamples {
   Vec3 low, high;
 };
 
+// first = from[at], second = from[at + 1]. A gather costs by the number of its places, so that one of pairs is cheaper.
+HWY_INLINE void gatherPairs(const float* from, IntVec at, FloatVec& first, FloatVec& second) {
+  const FloatTag d;
+#if HWY_TARGET <= HWY_AVX2
+  const hn::RepartitionToWide<IntTag> dPair;
+  const auto pairs = [&](auto places) {
+    const auto bytes = hn::ShiftLeft<2>(hn::PromoteTo(dPair, places));  // 4 bytes each
+    return hn::BitCast(d, hn::GatherOffset(dPair, reinterpret_cast<const std::int64_t*>(from), bytes));
+  };
+  const auto low = pairs(hn::LowerHalf(at));
+  const auto high = pairs(hn::UpperHalf(hn::Half<IntTag>(), at));
+  first = hn::ConcatEven(d, high, low);
+  second = hn::ConcatOdd(d, high, low);
+#else
+  first = hn::GatherIndex(d, from, at);
+  second = hn::GatherIndex(d, from + 1, at);
+#endif
+}
+
 HWY_INLINE VectorPoint pointAt(const VectorLevel& level, const VectorSamples& samples, const Vec3& rel) {
   const FloatTag d;
   const IntTag di;
@@ -115,12 +134,17 @@ HWY_INLINE VectorPoint pointAt(const VectorLevel& level, const VectorSamples& sa
   const auto plane = hn::Add(cz, hn::Sub(samples.z, hn::Set(di, level.firstPlane)));
   const auto row = hn::Add(hn::Mul(plane, hn::Set(di, frame.size.y)), hn::Add(samples.y, cy));
   const auto at = hn::Add(hn::Mul(row, hn::Set(di, frame.size.x)), hn::Add(samples.x, cx));
-  const std::ptrdiff_t nextX = frame.size.x > 1 ? 1 : 0;
   const std::ptrdiff_t nextY = frame.size.y > 1 ? frame.size.x : 0;
   const std::ptrdiff_t nextZ = frame.size.z > 1 ? static_cast<std::ptrdiff_t>(frame.size.x) * frame.size.y : 0;
   FloatVec c[8];
-  for (int i = 0; i < 8; ++i)
-    c[i] = hn::GatherIndex(d, level.base + ((i & 1) * nextX + (i >> 1 & 1) * nextY + (i >> 2) * nextZ), at);
+  for (int i = 0; i < 8; i += 2) {
+    const float* edge = level.base + ((i >> 1 & 1) * nextY + (i >> 2) * nextZ);
+    if (frame.size.x > 1) {
+      gatherPairs(edge, at, c[i], c[i + 1]);
+    } else {
+      c[i] = c[i + 1] = hn::GatherIndex(d, edge, at);
+    }
+  }
   auto highest = c[0], lowest = c[0];
   for (int i = 1; i < 8; ++i) {
     highest = hn::Max(highest, c[i]);

@@ -147,6 +147,10 @@ TEST_F(Fields, HoldTheStartOfTheSweep) {
   const Image paper = draw({"--start", "paper"}, "paper.exr");
   EXPECT_FALSE(sameBits(better, paper));
   EXPECT_TRUE(sameBits(better, draw({"--solver", "godunov", "--start", "better", "--extent", "band"}, "said.exr")));
+  // Nor do slopes of the distance, for which the band is thicker.
+  const Image slopes = draw({"--normals", "distance"}, "slopes.exr");
+  EXPECT_FALSE(sameBits(better, slopes));
+  EXPECT_TRUE(sameBits(slopes, draw({"--normals", "distance", "--extent", "full"}, "slopes_full.exr")));
   EXPECT_THAT(metadata(paper, "isolume:settings"), HasSubstr("--solver godunov --start paper --extent band"));
 }
 

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "ordinates/swept_openness.h"
 #include "ordinates/swept_scene.h"
+#include "sweep/occlusion_sweep.h"
+#include "sweep/ordinates/openness_sweep.h"
 #include "sweep/ordinates/sky_ordinates.h"
 #include "sweep/parallel.h"
 
@@ -140,6 +143,36 @@ TEST(Translucency, ThreadsDoNotChangeABit) {
   EXPECT_EQ(one.thickness.full, two.thickness.full);
   EXPECT_EQ(test::paddedNumbers(one.light.values), test::paddedNumbers(two.light.values));
   EXPECT_EQ(test::paddedNumbers(one.thickness.values), test::paddedNumbers(two.thickness.values));
+}
+
+TEST(Translucency, AndOpennessReadNothingBeyondABandOfOneVoxel) {
+  // A band of one voxel gives the openness and the thickness of the whole field, bit for bit: for both solvers, of
+  // smooth sheets and noise, at equal spacings and where one is longer than the band is thick.
+  const auto sheets = [](glm::dvec3 p) { return std::sin(p.x * .4) + std::cos(p.y * .35) + std::sin(p.z * .3) - .4; };
+  for (const glm::dvec3 spacing : {glm::dvec3(1), glm::dvec3(1, 1.2, 3.5)})
+    for (const bool smooth : {true, false})
+      for (const DistanceSolver solver : {DistanceSolver::godunov, DistanceSolver::closest}) {
+        const glm::ivec3 size(40, 37, 33);
+        const Grid<float> level =
+            smooth ? test::sampleLevel(size, spacing, sheets) : test::noiseLevel(size, spacing, 5);
+        const auto read = [&](DistanceExtent extent) {
+          const SweptFields swept = sweepOcclusion(level.view(), {.visibility = VisibilityStorage::none,
+                                                                  .solver = solver,
+                                                                  .extent = extent,
+                                                                  .bandVoxels = kSurfaceBandVoxels});
+          const GridView<const float> distance = swept.distance.view();
+          const SurfaceRays rays(level.view(), distance, 1);
+          return std::pair(sweepOpenness(level.view(), distance, {.ordinates = 72}),
+                           sweepThickness(rays, distance, 72));
+        };
+        const auto band = read(DistanceExtent::band), full = read(DistanceExtent::full);
+        EXPECT_EQ(band.second.full, full.second.full);
+        ASSERT_GT(band.first.padded().count(), 1000U);
+        for (std::size_t i = 0; i < band.first.padded().count(); ++i) {
+          ASSERT_EQ(band.first.padded().data[i], full.first.padded().data[i]) << "smooth " << smooth << " at " << i;
+          ASSERT_EQ(band.second.values.padded().data[i], full.second.values.padded().data[i]) << "at " << i;
+        }
+      }
 }
 
 }  // namespace

@@ -20,7 +20,12 @@ int expectBandIsTheCutField(GridView<const float> level, int bandVoxels, int rou
   options.bandVoxels = bandVoxels;
   const SweptFields band = sweepOcclusion(level, options);
   const auto smallest = static_cast<float>(smallestSpacing(level.spacing));
-  const float bound = static_cast<float>(bandVoxels + 1) * smallest;
+  // The bound, to the rounding of the largest spacing in units of the smallest; all that lies beyond has the same.
+  const double atLeast =
+      std::max((bandVoxels + 1.0) * smallest, std::max({level.spacing.x, level.spacing.y, level.spacing.z}));
+  float bound = static_cast<float>(atLeast);
+  for (std::size_t i = 0; i < level.count(); ++i) bound = std::max(bound, std::abs(band.distance.data()[i]));
+  EXPECT_LE(bound, atLeast * (1 + 1e-6));
   int cut = 0, wrong = 0;
   for (std::size_t i = 0; i < level.count(); ++i) {
     const float whole = full.distance.data()[i];
@@ -33,8 +38,8 @@ int expectBandIsTheCutField(GridView<const float> level, int bandVoxels, int rou
 }
 
 TEST(Band, IsTheWholeFieldCutOff) {
-  // |D| in a band of k voxels is min(|D| of the whole domain, k + 1 smallest spacings), bit for bit: on smooth surfaces
-  // and noise, for any spacing, k and number of rounds.
+  // |D| in a band of k voxels is min(|D| of the whole domain, the larger of k + 1 smallest spacings and the largest
+  // spacing), bit for bit: on smooth surfaces and noise, for any spacing, k and number of rounds.
   for (const int bandVoxels : {0, 1, 3, 7})
     for (const int rounds : {1, 2}) {
       SCOPED_TRACE(testing::Message() << bandVoxels << " voxels, " << rounds << " rounds");
@@ -46,6 +51,18 @@ TEST(Band, IsTheWholeFieldCutOff) {
         return 0.4 - std::abs(p.x * 0.3 + p.y - 0.2 * p.z - 11);  // thinner than a voxel in places
       });
       EXPECT_GT(expectBandIsTheCutField(sheet.view(), bandVoxels, rounds), 10000);
+    }
+}
+
+TEST(Band, IsTheWholeFieldCutOffBesideWallsAtEveryPlace) {
+  // The same beside a wall across each axis at every place of a grid of a few tiles: the band reaches into tiles that
+  // hold no start value, on either side.
+  for (int axis = 0; axis < 3; ++axis)
+    for (int place = 3; place < 36; ++place) {
+      SCOPED_TRACE(testing::Message() << "axis " << axis << ", wall at " << place);
+      const auto wall =
+          test::sampleLevel(glm::ivec3(40), glm::dvec3(1), [&](glm::dvec3 p) { return p[axis] - place - .3; });
+      expectBandIsTheCutField(wall.view(), 3, 1);
     }
 }
 

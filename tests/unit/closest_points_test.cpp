@@ -11,6 +11,7 @@
 #include "support/test_levels.h"
 #include "sweep/closest/closest_distance.h"
 #include "sweep/closest/closest_point.h"
+#include "sweep/closest/neighbour_points.h"
 #include "sweep/closest/point_kernels.h"
 #include "sweep/closest/surface_band.h"
 
@@ -149,6 +150,28 @@ TEST(ClosestPoints, AreSoughtOneByOneInPlanesTooLargeForTheKernels) {
   // Cells around a sample are addressed by 32 bits: 57 planes of 6100^2 samples fit, of 6200^2 they do not.
   EXPECT_TRUE(PointFrame(GridView<const float>(nullptr, {6100, 6100, 3})).fits());
   EXPECT_FALSE(PointFrame(GridView<const float>(nullptr, {6200, 6200, 3})).fits());
+}
+
+TEST(ClosestPoints, AreNotTakenFromTheRowAfter) {
+  // In rows of whole words the last sample has no neighbour beyond it: the first of the next row, whose bit is the next
+  // one in memory and whose point would be nearer, is none.
+  const Grid<float> like({64, 3, 3});
+  OffsetField field(like.view());
+  BitGrid set(like.size());
+  set.mark(62, 1, 1);
+  field.set(like.view().index(62, 1, 1), glm::vec3(5, 0, 0));
+  set.mark(0, 2, 1);
+  field.set(like.view().index(0, 2, 1), glm::vec3(.01F, 0, 0));
+  set.mark(49, 1, 1);
+  field.set(like.view().index(49, 1, 1), glm::vec3(3, 0, 0));
+  BitRow wanted(1, std::uint64_t{1} << 63 | std::uint64_t{1} << 50);  // one vector of sixteen lanes
+  PointBatch batch;
+  appendStarts({field, set}, 1, 1, wanted, batch);
+  ASSERT_EQ(batch.count, 2U);
+  EXPECT_EQ(batch.sample(0), glm::ivec3(50, 1, 1));
+  EXPECT_EQ(batch.point(0), glm::vec3(2, 0, 0));
+  EXPECT_EQ(batch.sample(1), glm::ivec3(63, 1, 1));
+  EXPECT_EQ(batch.point(1), glm::vec3(4, 0, 0));
 }
 
 }  // namespace

@@ -83,9 +83,12 @@ def findings(rows: list[Row]) -> list[str]:
             near = range_text((theirs["mean_error_near"] / our["mean_error_near"] for theirs, our in pairs), " times")
             sentences.append(f"{solver} takes {times} as long as {mine} with as many threads; its mean error is "
                              f"{errors} ours, within 3 voxels of the surface {near}.")
-        band = {(row["scene"], row["threads"]): row for row in rows if row["solver"] == f"{mine}, band"}
-        share = range_text(band[key]["seconds"] / row["seconds"] for key, row in ours.items())
-        sentences.append(f"The band alone takes {share} of the time of {mine} over the whole grid.")
+        shares = []
+        for part in ("band", "picture"):
+            partly = {(row["scene"], row["threads"]): row for row in rows if row["solver"] == f"{mine}, {part}"}
+            shares.append(range_text(partly[key]["seconds"] / row["seconds"] for key, row in ours.items()))
+        sentences.append(f"A band of 3 voxels takes {shares[0]} of the time of {mine} over the whole grid, the voxel that "
+                         f"a picture needs {shares[1]}.")
     return sentences
 
 

@@ -3,6 +3,8 @@
 // Held fixed: the levels, the number of threads, the voxels that are judged and their true distances
 // (closest_distance.h). Each solver runs once to warm up, then --runs times. Handing the levels over in the library's
 // own form is not timed.
+#include <cmath>
+
 #include "src/cli/surface_options.h"
 #include "src/jobs/run_options.h"
 #include "src/jobs/stage_log.h"
@@ -44,7 +46,8 @@ nlohmann::ordered_json judge(const DistanceSolver& solver, int runs, const std::
                                 {"mean_error_near", error.meanNear},
                                 {"max_error_near", error.maxNear},
                                 {"wrong_sign", error.wrongSign}};
-  if (!solver.everywhere) judged["mean_error"] = judged["max_error"] = nullptr;
+  if (std::isfinite(solver.reach)) judged["mean_error"] = judged["max_error"] = nullptr;
+  if (solver.reach < kNearVoxels) judged["mean_error_near"] = judged["max_error_near"] = nullptr;
   return judged;
 }
 

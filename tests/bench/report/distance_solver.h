@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ struct DistanceSolver {
   std::function<void()> solve;
   /// The result at a sample, < 0 inside, in units of the smallest spacing. Only after solve().
   std::function<double(int x, int y, int z)> distanceAt;
-  bool everywhere = true;  ///< false: exact about the surface, a bound beyond, so that only errors there count
+  /// How far from the surface the result is a distance, in voxels; beyond, a bound, so that errors do not count.
+  double reach = std::numeric_limits<double>::infinity();
 };
 
 /// `level` > 0 inside, borrowed as long as the solver lives. A solver without a value cannot work on such a grid, or is
