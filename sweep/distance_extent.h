@@ -1,7 +1,8 @@
 // How far from the surface a distance field is solved.
 //
 // What light and pictures read of a distance are the samples with a neighbour of the other side (octants, ordinates and
-// their feet, thickness): a band of any number of voxels has those in full. Slopes of the distance (normals from it)
+// their feet, thickness): a band of any number of voxels has those in full. Convex outlines (ordinates/outline.h) read
+// those around them too, up to two voxels: a band of one voxel has these. Slopes of the distance (normals from it)
 // look up to 2.8 voxels from the surface, where a sample beside the corner of a cell may lie. The march reads no
 // distance at all, but the level's own clearance (raymarch/clearance.h): a band does not change its steps.
 #pragma once

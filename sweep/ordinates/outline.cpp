@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/common.hpp>
 
+#include "sweep/distance_extent.h"
 #include "sweep/near_sets.h"
 
 namespace isolume {
@@ -11,6 +12,9 @@ namespace {
 
 // By how much outlines are narrowed at most, cells, and the least thickness behind, voxels; both by experiment.
 constexpr float kMostNarrowed = 0.1F, kThickness = 0.9F;
+// What the narrowest band holds (distance_extent.h); samples next to each other are not further apart where voxels are
+// cubes. So a band gives the same as the whole domain.
+constexpr float kKnown = kSurfaceBandVoxels + 1;
 
 // The samples around a point of the lattice: itself, or the ends of the edge, the corners of the face or of the cell
 // in whose middle it lies.
@@ -44,7 +48,7 @@ class Outline {
   }
 
  private:
-  float depthOf(glm::ivec3 at) const { return -distance_(at.x, at.y, at.z) / voxel_; }
+  float depthOf(glm::ivec3 at) const { return std::clamp(-distance_(at.x, at.y, at.z) / voxel_, -kKnown, kKnown); }
   // k_1 + k_2; on the border of the grid, where the solid is cut, none.
   float curvatureOf(glm::ivec3 at) const {
     float sum = 0;

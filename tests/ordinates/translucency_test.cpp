@@ -167,11 +167,10 @@ TEST(Translucency, AndOpennessReadNothingBeyondABandOfOneVoxel) {
         };
         const auto band = read(DistanceExtent::band), full = read(DistanceExtent::full);
         EXPECT_EQ(band.second.full, full.second.full);
-        ASSERT_GT(band.first.padded().count(), 1000U);
-        for (std::size_t i = 0; i < band.first.padded().count(); ++i) {
-          ASSERT_EQ(band.first.padded().data[i], full.first.padded().data[i]) << "smooth " << smooth << " at " << i;
-          ASSERT_EQ(band.second.values.padded().data[i], full.second.values.padded().data[i]) << "at " << i;
-        }
+        const auto numbers = test::paddedNumbers(band.first);
+        ASSERT_GT(std::count_if(numbers.begin(), numbers.end(), [](auto number) { return number != 0; }), 1000);
+        EXPECT_EQ(numbers, test::paddedNumbers(full.first)) << "smooth " << smooth;
+        EXPECT_EQ(test::paddedNumbers(band.second.values), test::paddedNumbers(full.second.values));
       }
 }
 
