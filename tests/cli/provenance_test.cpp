@@ -1,6 +1,7 @@
 // How a picture says how it was made, and the report.
 #include <gmock/gmock.h>
 
+#include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cli/picture.h"
@@ -13,14 +14,30 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr int kBall = 17;
+constexpr int kBall = 17, kRadius = 6;
 const std::string kBallFile = "ball_17x17x17_float32.raw";
 constexpr std::size_t kVoxels = 17 * 17 * 17;
 
 class Provenance : public ProgramTest {
  protected:
-  Provenance() { writeBall(path(kBallFile), kBall, 6); }
+  Provenance() { writeBall(path(kBallFile), kBall, kRadius); }
 };
+
+// Those with any of the 26 around them on the other side: they hold the openness.
+int samplesNextToTheBall() {
+  const auto isSolid = [](glm::ivec3 at) {
+    const glm::ivec3 from = at - kBall / 2;
+    return from.x * from.x + from.y * from.y + from.z * from.z < kRadius * kRadius;
+  };
+  int count = 0;
+  for (int i = 0; i < static_cast<int>(kVoxels); ++i) {
+    const glm::ivec3 at(i % kBall, i / kBall % kBall, i / kBall / kBall);
+    bool isNext = false;
+    for (int k = 0; k < 27; ++k) isNext |= isSolid(at + glm::ivec3(k % 3, k / 3 % 3, k / 9) - 1) != isSolid(at);
+    count += isNext ? 1 : 0;
+  }
+  return count;
+}
 
 TEST_F(Provenance, PngAndExrSayHowTheyWereMade) {
   // Command, version, input with checksum, isovalue, side, camera, settings, backend and GL are in both formats.
@@ -74,7 +91,8 @@ TEST_F(Provenance, ReportHasStagesMemoryAndSettings) {
   }
   EXPECT_THAT(names, ::testing::ElementsAre("read", "distance", "visibility", "upload", "frame", "write"));
   EXPECT_EQ(report["stages"][0]["bytes"], kVoxels * sizeof(float));
-  EXPECT_EQ(report["stages"][2]["bytes"], 19 * 19 * 19 * 2);  // openness, and that of caps around it
+  // A bit and a count for each word of the rows, which are longer by one sample at each end, and the numbers.
+  EXPECT_EQ(report["stages"][2]["bytes"], 19 * 19 * (8 + 4) + 2 * samplesNextToTheBall());
   EXPECT_GT(report["stages"][2]["seconds"], 0);
   EXPECT_EQ(report["stages"][5]["bytes"], fileBytes(path("out.png")).size());
   EXPECT_EQ(report["voxels"], kVoxels);
