@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <glm/common.hpp>
+#include <glm/vec3.hpp>
 
 #include "sweep/distance_extent.h"
 #include "sweep/near_sets.h"
@@ -26,12 +27,11 @@ void forEachCorner(glm::ivec3 point, int refinement, const Visit& visit) {
       for (int x = low.x; x <= low.x + parts.x; ++x) visit(glm::ivec3(x, y, z));
 }
 
-// Depth and curvature of a point, in the smallest width of a voxel.
-class Outline {
+// In the smallest width of a voxel.
+class Depths {
  public:
-  Outline(GridView<const float> distance, int refinement)
+  explicit Depths(GridView<const float> distance)
       : distance_(distance),
-        refinement_(refinement),
         voxel_(static_cast<float>(std::min({distance.spacing.x, distance.spacing.y, distance.spacing.z}))) {
     for (int axis = 0; axis < 3; ++axis) {
       const float ratio = voxel_ / static_cast<float>(distance.spacing[axis]);
@@ -39,76 +39,117 @@ class Outline {
     }
   }
 
-  bool isWidened(glm::ivec3 point) const {
-    const float cell = 1 / static_cast<float>(refinement_), most = kMostNarrowed * cell;
-    const float depth = mean(point, [&](glm::ivec3 at) { return depthOf(at); });
-    if (depth >= most) return false;
-    const float curvature = mean(point, [&](glm::ivec3 at) { return curvatureOf(at); });
-    return depth < std::min(most, curvature * cell * cell) && deepestAround(point) > depth + kThickness;
+  const float* row(int y, int z) const { return &distance_(0, y, z); }
+  float voxel() const { return voxel_; }
+  float at(glm::ivec3 sample) const {
+    return std::clamp(-distance_(sample.x, sample.y, sample.z) / voxel_, -kKnown, kKnown);
   }
-
- private:
-  float depthOf(glm::ivec3 at) const { return std::clamp(-distance_(at.x, at.y, at.z) / voxel_, -kKnown, kKnown); }
   // k_1 + k_2; on the border of the grid, where the solid is cut, none.
-  float curvatureOf(glm::ivec3 at) const {
+  float curvatureAt(glm::ivec3 sample) const {
     float sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      if (at[axis] == 0 || at[axis] == distance_.size[axis] - 1) return 0;
-      glm::ivec3 before = at, after = at;
+      if (sample[axis] == 0 || sample[axis] == distance_.size[axis] - 1) return 0;
+      glm::ivec3 before = sample, after = sample;
       --before[axis];
       ++after[axis];
-      sum += ((depthOf(at) - depthOf(before)) + (depthOf(at) - depthOf(after))) * perStep_[axis];
+      sum += ((at(sample) - at(before)) + (at(sample) - at(after))) * perStep_[axis];
     }
     return sum;
   }
-  float deepestAround(glm::ivec3 point) const {
-    float deepest = 0;
-    forEachCorner(point, refinement_, [&](glm::ivec3 corner) {
-      const glm::ivec3 low = glm::max(corner - 1, glm::ivec3(0)), high = glm::min(corner + 1, distance_.size - 1);
-      for (int z = low.z; z <= high.z; ++z)
-        for (int y = low.y; y <= high.y; ++y)
-          for (int x = low.x; x <= high.x; ++x) deepest = std::max(deepest, depthOf({x, y, z}));
-    });
-    return deepest;
-  }
-  template <class Value>
-  float mean(glm::ivec3 point, const Value& value) const {
-    float sum = 0, count = 0;
-    forEachCorner(point, refinement_, [&](glm::ivec3 at) {
-      sum += value(at);
-      ++count;
-    });
-    return sum / count;
+  // One of the 26 around, or the sample.
+  bool isDeeperAround(glm::ivec3 sample, float depth) const {
+    const glm::ivec3 low = glm::max(sample - 1, glm::ivec3(0)), high = glm::min(sample + 1, distance_.size - 1);
+    for (int z = low.z; z <= high.z; ++z)
+      for (int y = low.y; y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x)
+          if (at({x, y, z}) > depth) return true;
+    return false;
   }
 
+ private:
   GridView<const float> distance_;
-  int refinement_;
   float voxel_;
   glm::vec3 perStep_{1};
+};
+
+// The points of a row of the lattice, by words of samples.
+class OutlineRow {
+ public:
+  OutlineRow(const Depths& depths, int refinement, int y, int z)
+      : depths_(depths),
+        refinement_(refinement),
+        y_(y),
+        z_(z),
+        cell_(1 / static_cast<float>(refinement)),
+        most_(kMostNarrowed * cell_) {
+    forEachCorner({0, y, z}, refinement, [&](glm::ivec3 corner) { rows_[count_++] = depths.row(corner.y, corner.z); });
+  }
+
+  // Reads the depths of samples [begin, end), a word of them and one more at most.
+  void read(int begin, int end) {
+    begin_ = begin;
+    float sums[kWordBits + 1] = {};
+    const float known = kKnown * depths_.voxel();
+    for (int i = 0; i < count_; ++i)
+      for (int k = 0; k < end - begin; ++k) sums[k] += std::min(std::max(rows_[i][begin + k], -known), known);
+    std::copy_n(sums, kWordBits + 1, distances_);
+  }
+
+  // Of what was read: the point at a sample, or half a voxel after it.
+  bool isWidened(int sample, bool between) const {
+    const float* sum = distances_ + (sample - begin_);
+    const auto samples = static_cast<float>(between ? 2 * count_ : count_);
+    const float depth = -(between ? sum[0] + sum[1] : sum[0]) / (samples * depths_.voxel());
+    if (depth >= most_) return false;
+    const glm::ivec3 point(sample * refinement_ + (between ? 1 : 0), y_, z_);
+    float curvature = 0;
+    forEachCorner(point, refinement_, [&](glm::ivec3 corner) { curvature += depths_.curvatureAt(corner); });
+    if (depth >= std::min(most_, curvature / samples * cell_ * cell_)) return false;
+    bool thick = false;
+    forEachCorner(point, refinement_,
+                  [&](glm::ivec3 corner) { thick = thick || depths_.isDeeperAround(corner, depth + kThickness); });
+    return thick;
+  }
+
+ private:
+  const Depths& depths_;
+  int refinement_, y_, z_, count_ = 0, begin_ = 0;
+  float cell_, most_;
+  const float* rows_[4];
+  float distances_[kWordBits + 1];  // sums over the rows around
 };
 
 }  // namespace
 
 void narrowOutlines(GridView<const float> distance, const BitGrid& inside, int refinement, int y, int z,
                     std::uint64_t* row) {
-  const auto words = static_cast<std::size_t>(inside.words());
-  BitRow near(words, 0), crossed(words);
+  const int words = inside.words(), size = inside.size().x;
+  BitRow near(static_cast<std::size_t>(words) + 1, 0), crossed(static_cast<std::size_t>(words));
   forEachCorner({0, y, z}, refinement, [&](glm::ivec3 corner) {
     crossedRow(inside, corner.y, corner.z, crossed);
-    std::transform(near.begin(), near.end(), crossed.begin(), near.begin(), std::bit_or());
+    std::transform(crossed.begin(), crossed.end(), near.begin(), near.begin(), std::bit_or());
   });
   // Points further from all samples beside the surface are deep enough.
-  const Outline outline(distance, refinement);
-  const int last = (inside.size().x - 1) * refinement;
-  int done = -1;
-  forEachBit(near.data(), inside.words(), [&](int sample) {
-    const int middle = sample * refinement, reach = refinement - 1;
-    for (int x = std::max(middle - reach, done + 1); x <= std::min(middle + reach, last); ++x) {
-      const std::uint64_t bit = std::uint64_t{1} << (x % kWordBits);
-      if ((row[x / kWordBits] & bit) != 0 && outline.isWidened({x, y, z})) row[x / kWordBits] &= ~bit;
-    }
-    done = middle + reach;
-  });
+  const Depths depths(distance);
+  OutlineRow outline(depths, refinement, y, z);
+  const auto test = [&](int sample, bool between) {
+    const int x = sample * refinement + (between ? 1 : 0);
+    const std::uint64_t bit = std::uint64_t{1} << (x % kWordBits);
+    if ((row[x / kWordBits] & bit) != 0 && outline.isWidened(sample, between)) row[x / kWordBits] &= ~bit;
+  };
+  for (int w = 0; w < words; ++w) {
+    const auto i = static_cast<std::size_t>(w);
+    const std::uint64_t at = near[i], between = refinement == 1 ? 0 : at | at >> 1 | near[i + 1] << (kWordBits - 1);
+    const std::uint64_t any = at | between;
+    if (any == 0) continue;
+    const int begin = w * kWordBits;
+    outline.read(begin, std::min(begin + kWordBits + 1, size));
+    forEachBit(&any, 1, [&](int k) {
+      const int sample = begin + k;
+      if ((at >> k & 1) != 0) test(sample, false);
+      if ((between >> k & 1) != 0 && sample + 1 < size) test(sample, true);
+    });
+  }
 }
 
 }  // namespace isolume

@@ -11,6 +11,15 @@
 namespace isolume {
 namespace {
 
+// How many feet may be kept: to make them each time that an order reads them is a fifth of a sweep of 128 ordinates.
+// They may take what is left of two bytes per voxel, or of 16 MiB where that is more: 5/8 byte per voxel goes to the
+// marks and the lattice, 3/8 to the state of rays and other small things, and 40 per foot to an order and its sums.
+std::size_t mostKept(std::size_t voxels, std::size_t feet) {
+  constexpr std::size_t kFew = std::size_t{16} << 20;
+  const std::size_t room = std::max(2 * voxels, kFew), taken = voxels + 40 * feet;
+  return room > taken ? (room - taken) / sizeof(SurfaceFoot) : 0;
+}
+
 double largestTotal(const std::vector<Ordinate>& ordinates, int channels) {
   double largest = 0;
   for (int c = 0; c < channels; ++c) {
@@ -55,27 +64,51 @@ SurfaceRays::SurfaceRays(GridView<const float> level, GridView<const float> dist
     if (voxelCount({layers.words * kWordBits, layers.rows + kMostBeyond, 1}) >= kMostLayerBits)
       throw std::length_error("openness: expected layers of fewer than 2^24 lattice points: take refinement 1");
   }
+  keepFeet(orders == Orders::kept ? count() : mostKept(level.count(), count()));
   if (orders == Orders::remade) return;
-  // Made once for the three orders.
-  const std::vector<SurfaceFoot> feet = surface_.feet();
+  for (int axis = 0; axis < 3; ++axis) kept_.emplace_back(count()).sort(chunks(), lattice_, spacing_, axis);
+  keepFeet(0);
+}
+
+// Of the first chunks, `most` at most.
+void SurfaceRays::keepFeet(std::size_t most) {
+  const FootChunks all = surface_.chunks();
+  keptChunks_ = 0;
+  while (keptChunks_ < all.chunks() && all.begin[keptChunks_ + 1] <= most) ++keptChunks_;
+  feet_ = std::vector<SurfaceFoot>(all.begin[keptChunks_]);
+  parallelFor(keptChunks_, [&](std::size_t chunk) {
+    std::vector<SurfaceFoot> own;
+    all.add(chunk, own);
+    std::copy(own.begin(), own.end(), feet_.begin() + static_cast<std::ptrdiff_t>(all.begin[chunk]));
+  });
+}
+
+// As they are kept, or made each time.
+FootChunks SurfaceRays::chunks() const {
   FootChunks chunks = surface_.chunks();
-  chunks.add = [&feet, begin = chunks.begin](std::size_t chunk, std::vector<SurfaceFoot>& to) {
-    const auto at = [&](std::size_t i) { return feet.begin() + static_cast<std::ptrdiff_t>(begin[i]); };
-    to.insert(to.end(), at(chunk), at(chunk + 1));
+  chunks.add = [this, begin = chunks.begin, make = std::move(chunks.add)](std::size_t chunk,
+                                                                          std::vector<SurfaceFoot>& to) {
+    const auto at = [&](std::size_t i) { return feet_.begin() + static_cast<std::ptrdiff_t>(begin[i]); };
+    if (chunk < keptChunks_) {
+      to.insert(to.end(), at(chunk), at(chunk + 1));
+    } else {
+      make(chunk, to);
+    }
   };
-  for (int axis = 0; axis < 3; ++axis) kept_.emplace_back(count()).sort(chunks, lattice_, spacing_, axis);
+  return chunks;
 }
 
 SurfaceFeet SurfaceRays::takeSurface() && {
   lattice_ = {};
   kept_.clear();
+  keepFeet(0);
   return std::move(surface_);
 }
 
 // The order for an axis: a kept one, or one that is made in `room`.
 const RayPoints& SurfaceRays::ordered(int axis, RayPoints& room) const {
   if (!kept_.empty()) return kept_[static_cast<std::size_t>(axis)];
-  room.sort(surface_.chunks(), lattice_, spacing_, axis);
+  room.sort(chunks(), lattice_, spacing_, axis);
   return room;
 }
 

@@ -2,9 +2,9 @@
 // sweeps over directions of any kind: the sky, a map, a disc.
 //
 // Memory: surface_feet.h and solid_lattice.h; per foot 84 bytes for the three orders of points (ray_points.h) where
-// they are kept, 24 more while they are made, and 28 while a sweep runs where they are remade; while a sweep runs 4
-// bytes per foot and channel, and 4 more for each thread at work. Sweeps are threaded, bitwise the same for any number
-// of threads and any SIMD width.
+// they are kept, 24 more while they are made; where they are remade 28 while a sweep runs, and 24 for as many feet as
+// two bytes per voxel or 16 MiB hold beside all else; while a sweep runs 4 bytes per foot and channel, and 4 more for
+// each thread at work. Sweeps are threaded, bitwise the same for any number of threads and any SIMD width.
 #pragma once
 
 #include <array>
@@ -66,12 +66,16 @@ class SurfaceRays {
   std::vector<float> sum(const std::vector<Ordinate>& ordinates, int channels, Count count) const;
 
  private:
+  void keepFeet(std::size_t most);
+  FootChunks chunks() const;
   const RayPoints& ordered(int axis, RayPoints& room) const;
 
   glm::dvec3 spacing_;
   SurfaceFeet surface_;
   SolidLattice lattice_;
   std::vector<RayPoints> kept_;  // by axis
+  std::vector<SurfaceFoot> feet_;  // of the first chunks
+  std::size_t keptChunks_ = 0;
 };
 
 }  // namespace isolume

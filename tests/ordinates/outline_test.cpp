@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "ordinates/swept_openness.h"
 #include "support/random_numbers.h"
@@ -110,11 +111,33 @@ TEST(Outline, LittleCurvatureLosesLittle) {
       const double depth = -meanAround(ball, at, spacing, refinement);
       const bool onBorder = std::min({at.x, at.y, at.z}) == 0 || std::max({at.x, at.y, at.z}) == last;
       EXPECT_TRUE(after || !before || (depth < 0.045 * share && !onBorder)) << depth;
-      if (std::min({at.x, at.y, at.z}) >= refinement && std::max({at.x, at.y, at.z}) <= last - refinement)
+      if (std::min({at.x, at.y, at.z}) >= refinement && std::max({at.x, at.y, at.z}) <= last - refinement) {
         EXPECT_FALSE(after && depth < 0.035 * share) << depth;
+      }
       cleared += before && !after ? 1 : 0;
     });
     EXPECT_GT(cleared, 5);
+  }
+}
+
+TEST(Outline, IsTheSameWhereverARowBegins) {
+  // Balls on both sides of the seams of a row's words, and what is left of them in a grid that begins elsewhere.
+  for (const int refinement : {1, 2}) {
+    for (int shift = 40; shift < 48; ++shift) {
+      std::vector<bool> near, far;
+      int cleared = 0;
+      for (const int begin : {0, shift}) {
+        const Shape ball = [&](glm::dvec3 at) { return glm::length(at - glm::dvec3(begin + 20.2, 9.4, 8.7)) - 6.6; };
+        std::vector<bool>& found = begin == 0 ? near : far;
+        compareLattices(ball, glm::ivec3(begin + 40, 20, 19), glm::dvec3(1), refinement,
+                        [&](glm::ivec3 at, bool before, bool after) {
+                          if (at.x >= begin * refinement) found.push_back(after);
+                          cleared += before && !after ? 1 : 0;
+                        });
+      }
+      EXPECT_EQ(near, far) << refinement << ", " << shift;
+      EXPECT_GT(cleared, 50);
+    }
   }
 }
 
