@@ -227,6 +227,13 @@ namespace isolume {
 
 HWY_EXPORT(sweepRaysOnTarget);
 
+int raysAtATime(const LatticeLayers& lattice) {
+  constexpr std::size_t kRoom = std::size_t{7} << 18;  // 1.75 MiB
+  const auto rows = static_cast<std::size_t>(lattice.rows + 2 * kGuardRows);
+  const std::size_t kept = rows * static_cast<std::size_t>(lattice.words) * kKeptLayers * sizeof(std::uint64_t);
+  return static_cast<int>(std::clamp<std::size_t>(kRoom / kept, kRayGroup / 2, kRayGroup));
+}
+
 void sweepRays(const LatticeLayers& lattice, int towards, const std::vector<RayDirection>& directions,
                const RayPoints& points, const RayTally& tally) {
   assert(tally.channels == 1 || tally.channels == 3 || tally.channels == 4);

@@ -140,8 +140,10 @@ std::vector<float> SurfaceRays::sum(const std::vector<Ordinate>& ordinates, int 
   if (surface_.count() == 0 || total == 0)
     return std::vector<float>(surface_.count() * static_cast<std::size_t>(channels), 0);
   const auto scale = static_cast<float>(kLargestSum / total);
+  int most = kRayGroup;
+  for (int axis = 0; axis < 3; ++axis) most = std::min(most, raysAtATime(layersOf(lattice_, spacing_, axis)));
   const std::vector<std::int32_t> whole = sumGroups(
-      ordinates, channels, kRayGroup,
+      ordinates, channels, most,
       [&](int, const LatticeLayers& layers, const RayPoints& points, const RayGroup& group, std::ptrdiff_t stride,
           std::int32_t* own) {
         sweepRays(

@@ -75,6 +75,19 @@ int expectPlainSums(const RayCase& given, int channels = 1, bool visible = false
   return nonzero;
 }
 
+TEST(RaysAtATime, KeepWhatTheSecondCacheHolds) {
+  const auto ofLayer = [](int rows, int words) {
+    LatticeLayers layers;
+    layers.rows = rows;
+    layers.words = words;
+    return raysAtATime(layers);
+  };
+  EXPECT_EQ(ofLayer(1, 1), kRayGroup);
+  EXPECT_EQ(ofLayer(256, 5), kRayGroup);
+  EXPECT_EQ(ofLayer(511, 9), 12);
+  EXPECT_EQ(ofLayer(1023, 17), kRayGroup / 2);
+}
+
 // A random value in each channel, of either sign.
 RayCase withValues(RayCase given, std::uint64_t seed) {
   RandomNumbers numbers(seed);
