@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sweep/grid.h"
+#include "sweep/large_array.h"
 
 namespace isolume {
 
@@ -18,17 +19,18 @@ inline constexpr int kWordBits = 64;
 /// One row of bits that belongs to nobody's grid.
 using BitRow = std::vector<std::uint64_t>;
 
+/// Move-only.
 class BitGrid {
  public:
   explicit BitGrid(glm::ivec3 size)
       : size_(size),
         words_((size.x + kWordBits - 1) / kWordBits),
-        bits_(voxelCount({words_, size.y, size.z}) + 1, std::uint64_t{0}) {}
+        bits_(makeZeroArray<std::uint64_t>(voxelCount({words_, size.y, size.z}) + 1)) {}
 
   glm::ivec3 size() const { return size_; }
   int words() const { return words_; }
   std::uint64_t* row(int y, int z) {
-    return bits_.data() +
+    return bits_.get() +
            (static_cast<std::size_t>(z) * static_cast<std::size_t>(size_.y) + static_cast<std::size_t>(y)) *
                static_cast<std::size_t>(words_);
   }
@@ -54,7 +56,7 @@ class BitGrid {
  private:
   glm::ivec3 size_;
   int words_;
-  std::vector<std::uint64_t> bits_;
+  LargeArray<std::uint64_t> bits_;
 };
 
 /// Calls visit(x) for every bit that is set, in rising x.

@@ -1,7 +1,11 @@
 #include "large_array.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <new>
+
+#include "parallel.h"
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -28,5 +32,17 @@ void* allocateLargeArray(std::size_t bytes) {
 }
 
 void freeLargeArray(void* memory) { std::free(memory); }
+
+void clearLargeArray(void* memory, std::size_t bytes) {
+  auto* const first = static_cast<char*>(memory);
+  const auto clear = [&](std::size_t begin, std::size_t end) { std::memset(first + begin, 0, end - begin); };
+  if (bytes < 2 * kHugePageBytes) {
+    clear(0, bytes);
+    return;
+  }
+  parallelFor((bytes + kHugePageBytes - 1) / kHugePageBytes, [&](std::size_t page) {
+    clear(page * kHugePageBytes, std::min((page + 1) * kHugePageBytes, bytes));
+  });
+}
 
 }  // namespace isolume

@@ -11,6 +11,8 @@ namespace isolume {
 /// 64-byte aligned; throws std::bad_alloc. Free with freeLargeArray().
 void* allocateLargeArray(std::size_t bytes);
 void freeLargeArray(void* memory);
+/// Threaded where it is large.
+void clearLargeArray(void* memory, std::size_t bytes);
 
 struct LargeArrayDelete {
   void operator()(void* memory) const { freeLargeArray(memory); }
@@ -24,6 +26,13 @@ template <class T>
 LargeArray<T> makeLargeArray(std::size_t count) {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
   return LargeArray<T>(static_cast<T*>(allocateLargeArray(count * sizeof(T))));
+}
+
+template <class T>
+LargeArray<T> makeZeroArray(std::size_t count) {
+  LargeArray<T> array = makeLargeArray<T>(count);
+  clearLargeArray(array.get(), count * sizeof(T));
+  return array;
 }
 
 }  // namespace isolume

@@ -1,13 +1,14 @@
 #include "ranked_bits.h"
 
 #include <utility>
+#include <vector>
 
 #include "sweep/parallel.h"
 
 namespace isolume {
 
-RankedBits::RankedBits(BitGrid bits) : bits_(std::move(bits)), first_(voxelCount({bits_.words(), size().y, size().z})) {
-  const auto layers = static_cast<std::size_t>(size().z), words = layers == 0 ? 0 : first_.size() / layers;
+RankedBits::RankedBits(BitGrid bits) : bits_(std::move(bits)), first_(makeLargeArray<std::uint32_t>(words())) {
+  const auto layers = static_cast<std::size_t>(size().z), words = layers == 0 ? 0 : this->words() / layers;
   std::vector<std::uint32_t> begin(layers, 0);  // of a layer; until they are added up, how many it has
   const std::uint64_t* word = bits_.row(0, 0);
   parallelFor(layers, [&](std::size_t z) {

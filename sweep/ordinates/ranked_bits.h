@@ -8,7 +8,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <vector>
 
 #include "sweep/bit_grid.h"
 
@@ -22,7 +21,7 @@ class RankedBits {
   const BitGrid& bits() const { return bits_; }
   glm::ivec3 size() const { return bits_.size(); }
   std::size_t count() const { return count_; }
-  std::size_t bytes() const { return first_.size() * (sizeof(std::uint64_t) + sizeof(std::uint32_t)); }
+  std::size_t bytes() const { return words() * (sizeof(std::uint64_t) + sizeof(std::uint32_t)); }
   /// False beyond the grid.
   bool test(glm::ivec3 at) const { return bits_.test(at.x, at.y, at.z); }
 
@@ -34,14 +33,16 @@ class RankedBits {
   }
   /// By word of a row: the number of its first member, or the next.
   const std::uint32_t* firstOf(int y, int z) const {
-    return first_.data() +
+    return first_.get() +
            (static_cast<std::size_t>(z) * static_cast<std::size_t>(size().y) + static_cast<std::size_t>(y)) *
                static_cast<std::size_t>(bits_.words());
   }
 
  private:
+  std::size_t words() const { return voxelCount({bits_.words(), size().y, size().z}); }
+
   BitGrid bits_;
-  std::vector<std::uint32_t> first_;
+  LargeArray<std::uint32_t> first_;
   std::size_t count_ = 0;
 };
 

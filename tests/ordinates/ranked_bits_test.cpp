@@ -16,10 +16,12 @@ TEST(RankedBits, NumberMembersInTheOrderOfTheSamples) {
   for (const int length : {1, 31, 32, 33, 63, 64, 65, 128, 130})
     for (const int rarity : {1, 2, 9, 500}) {
       SCOPED_TRACE(testing::Message() << length << ", one in " << rarity);
-      BitGrid bits(glm::ivec3(length, 5, 3));
-      for (int i = 0; i < length * 15; ++i)
-        if (numbers.below(rarity) == 0) bits.mark(i % length, i / length % 5, i / length / 5);
-      const BitGrid want = bits;
+      const glm::ivec3 size(length, 5, 3);
+      BitGrid bits(size), want(size);
+      for (int i = 0; i < length * 15; ++i) {
+        if (numbers.below(rarity) != 0) continue;
+        for (BitGrid* each : {&bits, &want}) each->mark(i % length, i / length % 5, i / length / 5);
+      }
       const RankedBits got(std::move(bits));
       std::uint32_t members = 0;
       for (int i = 0; i < length * 15; ++i) {
