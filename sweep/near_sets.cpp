@@ -116,21 +116,34 @@ void capRow(const BitGrid& inside, int y, int z, BitRow& row) {
 
 void cornerRow(const BitGrid& inside, int y, int z, BitRow& row) {
   const glm::ivec3 size = inside.size();
-  const auto words = static_cast<std::size_t>(inside.words());
-  BitRow outside(words, 0);
-  std::fill(row.begin(), row.end(), std::uint64_t{0});
+  const int words = inside.words();
+  const std::uint64_t* around[9];
+  int count = 0;
   for (int k = std::max(z - 1, 0); k <= std::min(z + 1, size.z - 1); ++k)
-    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.y - 1); ++j) {
-      const std::uint64_t* from = inside.row(j, k);
-      for (std::size_t w = 0; w < words; ++w) {
-        row[w] |= from[w];
-        outside[w] |= ~from[w];
-      }
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.y - 1); ++j) around[count++] = inside.row(j, k);
+  // Of a word of the rows around: where any sample is inside, where any is outside.
+  struct Sides {
+    std::uint64_t inside = 0, outside = 0;
+  };
+  const auto sidesOf = [&](int w) {
+    std::uint64_t any = 0, all = ~std::uint64_t{0};
+    for (int i = 0; i < count; ++i) {
+      any |= around[i][w];
+      all &= around[i][w];
     }
-  outside.back() &= inside.lastWordMask();
-  spreadAlongX(row.data(), inside.words());
-  spreadAlongX(outside.data(), inside.words());
-  for (std::size_t w = 0; w < words; ++w) row[w] &= outside[w];
+    return Sides{any, ~all & (w + 1 == words ? inside.lastWordMask() : ~std::uint64_t{0})};
+  };
+  const auto spread = [](std::uint64_t before, std::uint64_t own, std::uint64_t after) {
+    return own | own << 1 | before >> (kWordBits - 1) | own >> 1 | after << (kWordBits - 1);
+  };
+  Sides before, own = sidesOf(0);
+  for (int w = 0; w < words; ++w) {
+    const Sides after = w + 1 < words ? sidesOf(w + 1) : Sides();
+    row[static_cast<std::size_t>(w)] =
+        spread(before.inside, own.inside, after.inside) & spread(before.outside, own.outside, after.outside);
+    before = own;
+    own = after;
+  }
   row.back() &= inside.lastWordMask();
 }
 

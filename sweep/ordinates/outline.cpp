@@ -119,37 +119,56 @@ class OutlineRow {
   float distances_[kWordBits + 1];  // sums over the rows around
 };
 
+// The rows of a layer, one after the other.
+class OutlineLayer {
+ public:
+  OutlineLayer(GridView<const float> distance, const BitGrid& inside, int refinement)
+      : depths_(distance),
+        inside_(inside),
+        refinement_(refinement),
+        crossed_(static_cast<std::size_t>(inside.words())),
+        near_(static_cast<std::size_t>(inside.words()) + 1) {}
+
+  void narrow(int y, int z, std::uint64_t* row) {
+    std::fill(near_.begin(), near_.end(), std::uint64_t{0});
+    forEachCorner({0, y, z}, refinement_, [&](glm::ivec3 corner) {
+      crossedRow(inside_, corner.y, corner.z, crossed_);
+      std::transform(crossed_.begin(), crossed_.end(), near_.begin(), near_.begin(), std::bit_or());
+    });
+    // Points further from all samples beside the surface are deep enough.
+    OutlineRow outline(depths_, refinement_, y, z);
+    const auto test = [&](int sample, bool between) {
+      const int x = sample * refinement_ + (between ? 1 : 0);
+      const std::uint64_t bit = std::uint64_t{1} << (x % kWordBits);
+      if ((row[x / kWordBits] & bit) != 0 && outline.isWidened(sample, between)) row[x / kWordBits] &= ~bit;
+    };
+    for (int w = 0; w < inside_.words(); ++w) {
+      const auto i = static_cast<std::size_t>(w);
+      const std::uint64_t at = near_[i], between = refinement_ == 1 ? 0 : at | at >> 1 | near_[i + 1] << (kWordBits - 1);
+      const std::uint64_t any = at | between;
+      if (any == 0) continue;
+      const int begin = w * kWordBits;
+      outline.read(begin, std::min(begin + kWordBits + 1, inside_.size().x));
+      forEachBit(&any, 1, [&](int k) {
+        const int sample = begin + k;
+        if ((at >> k & 1) != 0) test(sample, false);
+        if ((between >> k & 1) != 0 && sample + 1 < inside_.size().x) test(sample, true);
+      });
+    }
+  }
+
+ private:
+  Depths depths_;
+  const BitGrid& inside_;
+  int refinement_;
+  BitRow crossed_, near_;
+};
+
 }  // namespace
 
-void narrowOutlines(GridView<const float> distance, const BitGrid& inside, int refinement, int y, int z,
-                    std::uint64_t* row) {
-  const int words = inside.words(), size = inside.size().x;
-  BitRow near(static_cast<std::size_t>(words) + 1, 0), crossed(static_cast<std::size_t>(words));
-  forEachCorner({0, y, z}, refinement, [&](glm::ivec3 corner) {
-    crossedRow(inside, corner.y, corner.z, crossed);
-    std::transform(crossed.begin(), crossed.end(), near.begin(), near.begin(), std::bit_or());
-  });
-  // Points further from all samples beside the surface are deep enough.
-  const Depths depths(distance);
-  OutlineRow outline(depths, refinement, y, z);
-  const auto test = [&](int sample, bool between) {
-    const int x = sample * refinement + (between ? 1 : 0);
-    const std::uint64_t bit = std::uint64_t{1} << (x % kWordBits);
-    if ((row[x / kWordBits] & bit) != 0 && outline.isWidened(sample, between)) row[x / kWordBits] &= ~bit;
-  };
-  for (int w = 0; w < words; ++w) {
-    const auto i = static_cast<std::size_t>(w);
-    const std::uint64_t at = near[i], between = refinement == 1 ? 0 : at | at >> 1 | near[i + 1] << (kWordBits - 1);
-    const std::uint64_t any = at | between;
-    if (any == 0) continue;
-    const int begin = w * kWordBits;
-    outline.read(begin, std::min(begin + kWordBits + 1, size));
-    forEachBit(&any, 1, [&](int k) {
-      const int sample = begin + k;
-      if ((at >> k & 1) != 0) test(sample, false);
-      if ((between >> k & 1) != 0 && sample + 1 < size) test(sample, true);
-    });
-  }
+void narrowOutlines(GridView<const float> distance, const BitGrid& inside, int refinement, int z, BitRows& lattice) {
+  OutlineLayer layer(distance, inside, refinement);
+  for (int y = 0; y < lattice.rows; ++y) layer.narrow(y, z, lattice.row(y, z));
 }
 
 }  // namespace isolume

@@ -9,16 +9,14 @@
 // (docs/occlusion-study.md compares rules).
 #pragma once
 
-#include <cstdint>
-
+#include "bit_rows.h"
 #include "sweep/bit_grid.h"
 #include "sweep/grid.h"
 
 namespace isolume {
 
-/// Clears what does not count in row (y, z) of a lattice of `refinement` points per voxel (solid_lattice.h). `inside`:
-/// the samples with level > 0; `distance` in world units, exact next to their surface. Thread-safe for different rows.
-void narrowOutlines(GridView<const float> distance, const BitGrid& inside, int refinement, int y, int z,
-                    std::uint64_t* row);
+/// Clears what does not count in layer z of a lattice of `refinement` points per voxel (solid_lattice.h). `inside`: the
+/// samples with level > 0; `distance` in world units, exact next to their surface. Thread-safe for different layers.
+void narrowOutlines(GridView<const float> distance, const BitGrid& inside, int refinement, int z, BitRows& lattice);
 
 }  // namespace isolume

@@ -23,6 +23,8 @@ inline constexpr int kReach = 4, kGuardRows = kReach + kMostSkipped;
 static_assert(kGuardRows <= BitRows::kRowEnd && 2 * kReach <= kMostBeyond);
 /// Of the widest vector.
 inline constexpr int kVectorWords = 8;
+/// Of a layer, that are worked on for all directions before the next.
+inline constexpr int kBlockWords = 1024;
 /// Layers from one that is copied to one that is fetched into the cache.
 inline constexpr int kFetchedAhead = 2;
 
@@ -172,6 +174,8 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
   // Rows of a layer may lie far apart: copied once for all directions.
   const auto solid = zeros();
 
+  const int blockRows = std::max(1, kBlockWords / lattice.words);
+  std::vector<RowRange> met(directions.size());
   std::vector<RayStep> steps(directions.size());
   // The points whose next layer towards the light is this one: those between it and the one on the other side.
   const auto readAt = [&](int layer) {
@@ -202,19 +206,24 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
       const RowRange before = rays[k].met(layer + towards);
       const RowRange carried{std::max(before.begin - steps[k].shiftRow, 0),
                              std::min(before.end - steps[k].shiftRow, lattice.rows)};
-      const RowRange met = unionOf(solidRows, carried);
-      rays[k].setMet(layer, met);
-      if (met.empty()) continue;
-      const auto advance = [&](auto shift) {
-        advanceLayer<decltype(shift)::value>(rays[k].row(steps[k].shiftRow, layer + towards), solid.get(), mask.get(),
-                                             static_cast<std::ptrdiff_t>(met.begin) * lattice.words,
-                                             static_cast<std::ptrdiff_t>(met.end) * lattice.words,
-                                             rays[k].row(0, layer));
-      };
-      if (steps[k].shiftBit == 0) advance(std::integral_constant<int, 0>());
-      if (steps[k].shiftBit > 0) advance(std::integral_constant<int, 1>());
-      if (steps[k].shiftBit < 0) advance(std::integral_constant<int, -1>());
+      met[k] = unionOf(solidRows, carried);
+      rays[k].setMet(layer, met[k]);
     }
+    // By blocks of rows, which stay in a first cache for all directions.
+    for (int begin = 0; begin < lattice.rows; begin += blockRows)
+      for (std::size_t k = 0; k < directions.size(); ++k) {
+        const RowRange block{std::max(begin, met[k].begin), std::min(begin + blockRows, met[k].end)};
+        if (block.empty()) continue;
+        const auto advance = [&](auto shift) {
+          advanceLayer<decltype(shift)::value>(rays[k].row(steps[k].shiftRow, layer + towards), solid.get(), mask.get(),
+                                               static_cast<std::ptrdiff_t>(block.begin) * lattice.words,
+                                               static_cast<std::ptrdiff_t>(block.end) * lattice.words,
+                                               rays[k].row(0, layer));
+        };
+        if (steps[k].shiftBit == 0) advance(std::integral_constant<int, 0>());
+        if (steps[k].shiftBit > 0) advance(std::integral_constant<int, 1>());
+        if (steps[k].shiftBit < 0) advance(std::integral_constant<int, -1>());
+      }
     readAt(layer);
   }
 }

@@ -125,8 +125,8 @@ SolidLattice makeSolidLattice(GridView<const float> level, const BitGrid& inside
       } else {
         refineRow(around, level.size.x, lattice.alongX.words, row);
       }
-      if (outlines != nullptr) narrowOutlines(*outlines, inside, refinement, y, z, row);
     }
+    if (outlines != nullptr) narrowOutlines(*outlines, inside, refinement, z, lattice.alongX);
     transposeLayer(lattice.alongX, lattice.alongY, z);
   });
   return lattice;
