@@ -16,5 +16,7 @@ enum class DistanceExtent {
 
 inline constexpr int kBandVoxels = 3;         ///< if nobody says otherwise: slopes of the distance are whole
 inline constexpr int kSurfaceBandVoxels = 1;  ///< for what reads no slopes
+/// Layers that closest points of the whole grid are solved on: with more, none within three voxels is more exact.
+inline constexpr int kWholeBandVoxels = 2;
 
 }  // namespace isolume

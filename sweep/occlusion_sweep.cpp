@@ -137,8 +137,10 @@ OctantVisibility sweepVisibility(GridView<const float> distance, VisibilityStora
 
 SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& options) {
   SweptFields fields;
+  const bool whole = options.extent == DistanceExtent::full;
   if (options.solver == DistanceSolver::closest)
-    fields.distance = closestDistance(level, {.extent = options.extent, .bandVoxels = options.bandVoxels});
+    fields.distance = closestDistance(
+        level, {.extent = options.extent, .bandVoxels = whole ? kWholeBandVoxels : options.bandVoxels});
   else if (options.extent == DistanceExtent::band)
     fields.distance = sweepBand(level, options);
   else

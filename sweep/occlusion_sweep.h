@@ -85,7 +85,7 @@ struct SweepOptions {
   /// whole domain's time, k = 1 takes .29 to .36, .25 to .30 and .54 to .63, the start values alone .14 to .16, .13 to
   /// .15 and .18 to .23.
   DistanceExtent extent = DistanceExtent::full;
-  int bandVoxels = kBandVoxels;
+  int bandVoxels = kBandVoxels;  ///< of a band
 };
 
 struct OctantVisibility {

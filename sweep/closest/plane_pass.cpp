@@ -69,9 +69,11 @@ class PlanePass {
         takeFromRows(plane_, step_, size_.x, 1, 1, size_.y - 1);
       }
     });
-    parallelFor(groups, [&](std::size_t group) {
-      takeAlongRows(copy_, step_.x, size_.x, static_cast<int>(group) * kRowGroup, plane_);
-      for (int y = static_cast<int>(group) * kRowGroup; y < rowEnd(group); ++y) {
+    parallelFor((groups + kAlongGroups - 1) / kAlongGroups, [&](std::size_t i) {
+      const std::size_t first = i * kAlongGroups, end = std::min(first + kAlongGroups, groups);
+      const int begin = static_cast<int>(first) * kRowGroup;
+      takeAlongRows(copy_, step_.x, size_.x, begin, static_cast<int>(end - first), plane_);
+      for (int y = begin; y < rowEnd(end - 1); ++y) {
         loadFixed(z, y);
         finishRow(z, y, plane_);
       }

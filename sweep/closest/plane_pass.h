@@ -16,8 +16,9 @@
 // Planes below the first fixed sample have no points on the way up: there the first pass of all does nothing and writes
 // nothing, so that memory that nobody has touched yet stays untouched.
 //
-// Cost: 2 (9 + 6 + 2) candidates per voxel, SIMD along x (16 rows side by side in step 3), O(nx ny) scratch. Threads
-// share rows in steps 1 and 3, and the two copies in step 2. Bitwise the same for any number of lanes and threads.
+// Cost: 2 (9 + 6 + 2) candidates per voxel, SIMD along x (in step 3 twice 16 rows side by side), O(nx ny) scratch.
+// Threads share rows in steps 1 and 3, and the two copies in step 2. Bitwise the same for any number of lanes and
+// threads.
 #pragma once
 
 #include "offset_field.h"

@@ -135,10 +135,37 @@ HWY_INLINE void toRows(const float* columns, float* rows, std::ptrdiff_t stride)
   for (int r = 0; r < 4; ++r) separate4(runs + r * kBlock / 4, rows + r * stride, 4 * stride);
 }
 
-void alongStep(const PaddedPlane& other, float stepX, int nx, int y, PaddedPlane& plane) {
+// Step 3 for kGroups groups of rows as columns, `apart` floats apart: each step along x waits for the one before, so two
+// groups take turns.
+template <int kGroups>
+HWY_INLINE void scanColumns(float* const (&columns)[3], std::size_t apart, float step, int first, int dx, int count) {
+  const FloatTag d;
+  const auto stepX = hn::Set(d, step);
+  for (int lane = 0; lane < kRowGroup; lane += static_cast<int>(hn::Lanes(d))) {
+    const auto at = [&](int group, int x, int axis) {
+      return columns[axis] + static_cast<std::size_t>(group) * apart + x * kRowGroup + lane;
+    };
+    FloatVec from[kGroups][3];
+    for (int g = 0; g < kGroups; ++g)
+      for (int axis = 0; axis < 3; ++axis) from[g][axis] = hn::Load(d, at(g, first, axis));
+    for (int i = 1, x = first + dx; i < count; ++i, x += dx)
+      for (int g = 0; g < kGroups; ++g) {
+        Offsets best = withSquare(hn::Load(d, at(g, x, 0)), hn::Load(d, at(g, x, 1)), hn::Load(d, at(g, x, 2)));
+        keepNearer(withSquare(hn::Add(from[g][0], stepX), from[g][1], from[g][2]), best);
+        hn::Store(best.x, d, at(g, x, 0));
+        hn::Store(best.y, d, at(g, x, 1));
+        hn::Store(best.z, d, at(g, x, 2));
+        from[g][0] = best.x;
+        from[g][1] = best.y;
+        from[g][2] = best.z;
+      }
+  }
+}
+
+void alongStep(const PaddedPlane& other, float stepX, int nx, int y, int groups, PaddedPlane& plane) {
   const FloatTag d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int row = y; row < y + kRowGroup; ++row)
+  for (int row = y; row < y + groups * kRowGroup; ++row)
     for (int x = 0; x < nx; x += lanes) {
       Offsets best = load(plane, row, x);
       keepNearer(load(other, row, x), best);
@@ -147,39 +174,32 @@ void alongStep(const PaddedPlane& other, float stepX, int nx, int y, PaddedPlane
 
   const std::ptrdiff_t stride = plane.row(0, 1) - plane.row(0, 0);
   const std::size_t width = static_cast<std::size_t>(PaddedPlane::roundUp(nx)) * kRowGroup;
+  const std::size_t apart = 3 * width;
   static thread_local LargeArray<float> scratch;
   static thread_local std::size_t room = 0;
-  if (room < 3 * width) {
-    scratch = makeLargeArray<float>(3 * width);
-    room = 3 * width;
+  if (room < kAlongGroups * apart) {
+    room = kAlongGroups * apart;
+    scratch = makeLargeArray<float>(room);
   }
-  float* columns[3] = {scratch.get(), scratch.get() + width, scratch.get() + 2 * width};
-  for (int axis = 0; axis < 3; ++axis)
-    for (int x = 0; x < nx; x += kRowGroup) toColumns(plane.row(axis, y) + x, stride, columns[axis] + x * kRowGroup);
-
-  const auto scan = [&](int firstX, int dx) {
-    const auto step = hn::Set(d, -static_cast<float>(dx) * stepX);
-    for (int lane = 0; lane < kRowGroup; lane += lanes) {
-      const auto at = [&](int x, int axis) { return columns[axis] + x * kRowGroup + lane; };
-      auto fromX = hn::Load(d, at(firstX, 0));
-      auto fromY = hn::Load(d, at(firstX, 1));
-      auto fromZ = hn::Load(d, at(firstX, 2));
-      for (int i = 1, x = firstX + dx; i < nx; ++i, x += dx) {
-        Offsets best = withSquare(hn::Load(d, at(x, 0)), hn::Load(d, at(x, 1)), hn::Load(d, at(x, 2)));
-        keepNearer(withSquare(hn::Add(fromX, step), fromY, fromZ), best);
-        hn::Store(best.x, d, at(x, 0));
-        hn::Store(best.y, d, at(x, 1));
-        hn::Store(best.z, d, at(x, 2));
-        fromX = best.x;
-        fromY = best.y;
-        fromZ = best.z;
-      }
-    }
+  float* const columns[3] = {scratch.get(), scratch.get() + width, scratch.get() + 2 * width};
+  const auto forBlocks = [&](const auto& visit) {
+    for (int g = 0; g < groups; ++g)
+      for (int axis = 0; axis < 3; ++axis)
+        for (int x = 0; x < nx; x += kRowGroup)
+          visit(plane.row(axis, y + g * kRowGroup) + x,
+                columns[axis] + static_cast<std::size_t>(g) * apart + x * kRowGroup);
   };
-  scan(0, 1);
-  scan(nx - 1, -1);
-  for (int axis = 0; axis < 3; ++axis)
-    for (int x = 0; x < nx; x += kRowGroup) toRows(columns[axis] + x * kRowGroup, plane.row(axis, y) + x, stride);
+  forBlocks([&](float* rows, float* block) { toColumns(rows, stride, block); });
+  for (const int dx : {1, -1}) {
+    const int first = dx > 0 ? 0 : nx - 1;
+    const float step = -static_cast<float>(dx) * stepX;
+    if (groups == kAlongGroups) {
+      scanColumns<kAlongGroups>(columns, apart, step, first, dx, nx);
+    } else {
+      scanColumns<1>(columns, apart, step, first, dx, nx);
+    }
+  }
+  forBlocks([&](float* rows, float* block) { toRows(block, rows, stride); });
 }
 
 void distanceStep(const float* x, const float* y, const float* z, const float* level, float unit, std::size_t count,
@@ -217,8 +237,8 @@ void takeFromPlane(const PaddedPlane& before, float dz, glm::vec3 step, int nx, 
 void takeFromRows(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy, int count) {
   HWY_DYNAMIC_DISPATCH(rowsStep)(plane, step, nx, first, dy, count);
 }
-void takeAlongRows(const PaddedPlane& other, float stepX, int nx, int y, PaddedPlane& plane) {
-  HWY_DYNAMIC_DISPATCH(alongStep)(other, stepX, nx, y, plane);
+void takeAlongRows(const PaddedPlane& other, float stepX, int nx, int y, int groups, PaddedPlane& plane) {
+  HWY_DYNAMIC_DISPATCH(alongStep)(other, stepX, nx, y, groups, plane);
 }
 void offsetsToDistance(const float* x, const float* y, const float* z, const float* level, float unit,
                        std::size_t count, float* out) {

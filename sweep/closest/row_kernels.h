@@ -13,8 +13,10 @@ void takeFromPlane(const PaddedPlane& before, float dz, glm::vec3 step, int nx, 
 /// One half of step 2: rows first, first + dy, ... (`count` of them) each take candidates from the row before, y - dy.
 void takeFromRows(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy, int count);
 
-/// The rest of step 2 and step 3 for rows y to y + kRowGroup - 1: the nearer of `plane` and `other`, then along x.
-void takeAlongRows(const PaddedPlane& other, float stepX, int nx, int y, PaddedPlane& plane);
+inline constexpr int kAlongGroups = 2;
+/// The rest of step 2 and step 3 for up to kAlongGroups groups of kRowGroup rows from y on: the nearer of `plane` and
+/// `other`, then along x.
+void takeAlongRows(const PaddedPlane& other, float stepX, int nx, int y, int groups, PaddedPlane& plane);
 
 /// squaredLength, square root, unit and sign for a run of samples: the distance, negative where level > 0. `out` may be
 /// x.
