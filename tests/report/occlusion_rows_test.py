@@ -12,7 +12,7 @@ for needed in ("matplotlib", "numpy"):
 
 import numpy as np  # noqa: E402
 
-from report import occlusion  # noqa: E402
+from report import equal_error, occlusion  # noqa: E402
 from report.exr import write_exr  # noqa: E402
 from report.volumes import Scene  # noqa: E402
 
@@ -39,6 +39,26 @@ class OcclusionTest(unittest.TestCase):
         text = occlusion.findings(SCENE, rows)[0]
         self.assertIn("RMSE is 0.0700 with 64 ordinates (0.300 as published)", text)
         self.assertIn("at 2.0 to 8.0 times the time", text)
+
+    def test_equal_error_takes_the_fewest_rays_that_are_no_worse(self) -> None:
+        # The first setting of the peer whose error is no larger counts, however its rows are ordered; where none is as
+        # good, the last, marked: equal error takes longer.
+        ours = [row(occlusion.ORDINATES, 64, 2, 0.06), row(occlusion.ORDINATES, 512, 4, 0.02)]
+        peer = [row(occlusion.EMBREE, 256, 80, 0.03), row(occlusion.EMBREE, 4, 1, 0.2),
+                row(occlusion.EMBREE, 64, 20, 0.06), row(occlusion.EMBREE, 128, 40, 0.04)]
+        found = equal_error.compare(ours, peer)
+        self.assertEqual([(each["peer_knob"], each["reached"], each["first"], each["further"]) for each in found],
+                         [(64, True, 10, 10), (256, False, 20, 20)])
+        text = equal_error.table_of(found, "rays")
+        self.assertIn("| 64 ordinates | 0.0600 | 64 | 0.0600 | 10 | 10 |", text)
+        self.assertIn("| 512 ordinates | 0.0200 | > 256 | 0.0300 | > 20 | > 20 |", text)
+        self.assertIn("it takes more than 256 rays (0.0300): more than 20 times as long",
+                      equal_error.finding("a scene", found, "rays"))
+
+    def test_equal_error_leaves_out_the_noise_of_the_truth(self) -> None:
+        # Errors are compared without the reference's noise where that is known.
+        self.assertEqual(equal_error.error({"rmse": 0.05, "rmse_without_noise": 0.04}), 0.04)
+        self.assertEqual(equal_error.error({"rmse": 0.05}), 0.05)
 
     def test_options_are_those_of_the_setting(self) -> None:
         # What report_frames tells of a setting becomes its command line, and nothing else.

@@ -41,6 +41,11 @@ class Matrix:
     calibration: tuple[int, int, int]  # samples along each axis, points of each surface, rays of the truth at each
     rays: tuple[int, ...]  # Embree, per pixel
     kernels: tuple[int, ...]  # VTK's SSAO, samples per pixel
+    large_scenes: tuple[str, ...]  # of the occlusion scenes, by the start of their names: drawn again, larger
+    large_picture: tuple[int, int]
+    large_reference_rays: int
+    large_ordinates: tuple[tuple[int, int], ...]
+    large_rays: tuple[int, ...]
     screen_scene: str
     screen_size: int
     screen_volumes: tuple[Volume, ...]
@@ -79,8 +84,13 @@ FULL = Matrix(
     offsets=(0, 2),
     ordinates=((64, 1), (128, 1), (256, 1), (512, 1), (1024, 2), (4096, 2)),
     calibration=(128, 2000, 4096),
-    rays=(16, 64, 256),
+    rays=(16, 64, 256, 1024),
     kernels=(32, 128),
+    large_scenes=("gyroid", BETA_GALACTOSIDASE.name, CRANIUM.name),
+    large_picture=(1024, 1024),
+    large_reference_rays=256,
+    large_ordinates=((64, 1), (512, 1)),
+    large_rays=(256, 1024),
     screen_scene="corner",
     screen_size=128,
     screen_volumes=(BETA_GALACTOSIDASE,),
@@ -113,6 +123,11 @@ QUICK = Matrix(
     calibration=(48, 200, 256),
     rays=(4, 16, 64),
     kernels=(32,),
+    large_scenes=("gyroid",),
+    large_picture=(320, 320),
+    large_reference_rays=16,
+    large_ordinates=((64, 1),),
+    large_rays=(16,),
     screen_scene=FULL.screen_scene,
     screen_size=48,
     screen_volumes=(),

@@ -1,9 +1,10 @@
 """Ambient occlusion: seconds to the first and to every further picture against the error of the openness."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from . import peers, volumes
+from . import equal_error, peers, volumes
 from .matrix import Matrix
 from .plots import occlusion_plot
 from .process import Programs, json_of, output_of
@@ -31,7 +32,12 @@ How each is used:
   samples one voxel apart (it gives a lit picture and no openness: time alone), and `vtkFlyingEdges3D` with
   `vtkSSAOPass`, radius a tenth of the scene's diagonal, {kernels} samples, blurred. Its openness is the picture of an
   unlit white surface with the pass divided by the one without, in 8 bits; it sees only what is on the screen and
-  within its radius, so it answers an easier question than the others."""
+  within its radius, so it answers an easier question than the others.
+
+At equal error: for each setting of Isolume the fewest rays with which Embree's picture is no worse, RMSE without the
+reference's noise. Where the largest number that was measured is still worse, its times stand behind a >: equal error
+takes longer, or is not to be had, since its mesh is not the surface of the data. Pictures of {large} pixels have a
+truth of {large_rays} rays per pixel, and Embree draws them once, after one to warm up."""
 
 OCTANTS = "Isolume, octants"
 ORDINATES = "Isolume, ordinates"
@@ -48,6 +54,10 @@ def reference(matrix: Matrix, programs: Programs, scene: Scene, stem: str) -> Pa
 
 def size_text(matrix: Matrix) -> str:
     return f"{matrix.picture[0]}x{matrix.picture[1]}"
+
+
+def pixels_text(size: tuple[int, int]) -> str:
+    return f"{size[0]} x {size[1]}"
 
 
 def error_of(programs: Programs, picture: Path, truth: Path) -> Row:
@@ -160,6 +170,24 @@ def findings(scene: Scene, rows: list[Row]) -> list[str]:
     return [text + "."]
 
 
+def large_rows(matrix: Matrix, programs: Programs, scene: Scene, stem: str, threads: int) -> list[Row]:
+    """The same view in more pixels: Isolume and Embree."""
+    large = replace(matrix, picture=matrix.large_picture, reference_rays=matrix.large_reference_rays,
+                    ordinates=matrix.large_ordinates, rays=matrix.large_rays, offsets=matrix.offsets[-1:])
+    stem = f"{stem}_large"
+    truth = reference(large, programs, scene, stem)
+    rows = our_rows(large, programs, scene, stem, truth, threads)
+    return rows + embree_rows(replace(large, runs=1), programs, scene, stem, truth, threads)[0]
+
+
+def add_equal_error(section: Section, name: str, rows: list[Row]) -> None:
+    found = equal_error.compare([row for row in rows if row["method"] == ORDINATES],
+                                [row for row in rows if row["method"] == EMBREE])
+    section.tables.append(f"**{name}, at equal error**\n\n" + equal_error.table_of(found, EMBREE))
+    section.findings.append(equal_error.finding(name, found, EMBREE))
+    section.data.setdefault("equal_error", []).extend({"scene": name, **row} for row in found)
+
+
 def measure(matrix: Matrix, programs: Programs) -> Section:
     section = Section("Occlusion", "")
     versions = dict.fromkeys(("embree", "offset", "vtk"), "(not in this run)")
@@ -169,7 +197,8 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
         truth = reference(matrix, programs, scene, stem)
         threads = matrix.threads[-1]
         rows = our_rows(matrix, programs, scene, stem, truth, threads)
-        if (programs.report / "peer_embree").exists():
+        has_embree = (programs.report / "peer_embree").exists()
+        if has_embree:
             peer, report = embree_rows(matrix, programs, scene, stem, truth, threads)
             rows += peer
             versions |= {"embree": report["version"], "offset": digits(report["ray_offset_of_diagonal"])}
@@ -184,6 +213,14 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
             versions["vtk"] = report["version"]
         section.tables.append(f"### {scene.name}\n\n" + table_of(rows))
         section.findings += findings(scene, rows)
+        if has_embree:
+            add_equal_error(section, scene.name, rows)
+        if has_embree and scene.name.startswith(matrix.large_scenes):
+            larger = large_rows(matrix, programs, scene, stem, threads)
+            name = f"{scene.name}, {pixels_text(matrix.large_picture)} pixels"
+            section.tables.append(f"### {name}\n\n" + table_of(larger))
+            add_equal_error(section, name, larger)
+            all_rows += [{**row, "scene": name} for row in larger]
         section.plots.append(Plot(f"occlusion_{stem}", f"{scene.name}, {matrix.threads[-1]} threads: to the left is "
                                   "faster, below is closer to the truth; labels are each method's knob.",
                                   lambda path, shown=rows, title=scene.name: occlusion_plot(shown, title, path)))
@@ -191,6 +228,7 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
     section.gaps = list(dict.fromkeys(section.gaps))
     section.data["occlusion"] = all_rows
     section.introduction = INTRODUCTION.format(
+        large=pixels_text(matrix.large_picture), large_rays=matrix.large_reference_rays,
         rays=matrix.reference_rays, width=matrix.picture[0], height=matrix.picture[1],
         offsets=", ".join(map(str, matrix.offsets)), ordinates=", ".join(str(count) for count, _ in matrix.ordinates),
         refined=min((count for count, refinement in matrix.ordinates if refinement > 1), default=0), knob=", ".join(map(str, matrix.rays)),
