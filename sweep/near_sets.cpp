@@ -159,6 +159,29 @@ void grownRow(const BitGrid& set, int y, int z, BitRow& row) {
   row.back() &= set.lastWordMask();
 }
 
+void grownAcrossEdgesRow(const BitGrid& set, int y, int z, BitRow& row) {
+  grownAcrossFacesRow(set, y, z, row);
+  const glm::ivec3 size = set.size();
+  BitRow beside(row.size(), 0);  // across faces along y and z: edges lead from there along x
+  for (const int dy : {-1, 1}) {
+    if (y + dy < 0 || y + dy >= size.y) continue;
+    for (const int dz : {-1, 0, 1}) {
+      if (z + dz < 0 || z + dz >= size.z) continue;
+      const std::uint64_t* from = set.row(y + dy, z + dz);
+      BitRow& to = dz == 0 ? beside : row;
+      for (std::size_t w = 0; w < row.size(); ++w) to[w] |= from[w];
+    }
+  }
+  for (const int dz : {-1, 1}) {
+    if (z + dz < 0 || z + dz >= size.z) continue;
+    const std::uint64_t* from = set.row(y, z + dz);
+    for (std::size_t w = 0; w < row.size(); ++w) beside[w] |= from[w];
+  }
+  spreadAlongX(beside.data(), set.words());
+  beside.back() &= set.lastWordMask();
+  for (std::size_t w = 0; w < row.size(); ++w) row[w] |= beside[w];
+}
+
 void grownAcrossFacesRow(const BitGrid& set, int y, int z, BitRow& row) {
   const glm::ivec3 size = set.size();
   std::copy_n(set.row(y, z), row.size(), row.begin());

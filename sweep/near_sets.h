@@ -28,6 +28,9 @@ void cornerRow(const BitGrid& inside, int y, int z, BitRow& row);
 /// Samples of row (y, z) that are in `set` or one of whose 26 neighbours is.
 void grownRow(const BitGrid& set, int y, int z, BitRow& row);
 
+/// The same for the 18 neighbours across faces and edges.
+void grownAcrossEdgesRow(const BitGrid& set, int y, int z, BitRow& row);
+
 /// The same for the 6 neighbours across faces.
 void grownAcrossFacesRow(const BitGrid& set, int y, int z, BitRow& row);
 

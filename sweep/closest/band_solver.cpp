@@ -151,12 +151,11 @@ void BandSolver::growToCorners(const BitGrid& inside) {
   });
 }
 
-void BandSolver::grow() {
-  growTo([&](int y, int z, BitRow& row) { grownRow(set_, y, z, row); });
-}
-
-void BandSolver::growAcrossFaces() {
-  growTo([&](int y, int z, BitRow& row) { grownAcrossFacesRow(set_, y, z, row); });
+void BandSolver::grow(Across across) {
+  const auto rowOf = across == Across::faces   ? grownAcrossFacesRow
+                     : across == Across::edges ? grownAcrossEdgesRow
+                                               : grownRow;
+  growTo([&](int y, int z, BitRow& row) { rowOf(set_, y, z, row); });
 }
 
 void BandSolver::reseedCorners(const BitGrid& inside) {

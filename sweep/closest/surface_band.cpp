@@ -1,6 +1,6 @@
 #include "surface_band.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "band_solver.h"
 
@@ -11,17 +11,26 @@ namespace {
 // unless one spacing is many times another.
 constexpr int kRelaxations = 64;
 
-// Steps that growth so far can have gone along two axes together, and along three: what it covers are the samples
-// within a steps along each axis, two + ... of any two, three of all.
-struct Coverage {
-  int two = 0, three = 0;
-  // With k layers, samples (a, b, c) steps from a cell must be in if a^2 + b^2 + c^2 < (k + 1)^2, so that
-  // a + b < sqrt(2) (k + 1) and a + b + c < sqrt(3) (k + 1). Would a layer across faces alone leave some out?
-  bool needsCorners(int layers) const {
-    const double reach = layers + 1;
-    return two + 2 < std::sqrt(2.0) * reach || three + 2 < std::sqrt(3.0) * reach;
-  }
+// Layers of each kind. Together they cover the samples up to k steps from a cell along each axis, k + edges + corners
+// along any two together and k + edges + 2 corners along all three, in any order: sets of that kind add up so.
+struct Layers {
+  int faces = 0, edges = 0, corners = 0;
 };
+
+// The fewest steps for k layers: samples (a, b, c) steps from a cell must be in if a^2 + b^2 + c^2 < (k + 1)^2.
+Layers layersFor(int k) {
+  int two = k, three = k;
+  const int limit = (k + 1) * (k + 1);
+  for (int a = 0; a <= k; ++a)
+    for (int b = 0; b <= a; ++b)
+      for (int c = 0; c <= b; ++c) {
+        if (a * a + b * b + c * c >= limit) continue;
+        two = std::max(two, a + b);
+        three = std::max(three, a + b + c);
+      }
+  const int corners = three - two, edges = std::max(two - k - corners, 0);
+  return {k - edges - corners, edges, corners};
+}
 
 }  // namespace
 
@@ -34,18 +43,11 @@ BitGrid solveBand(GridView<const float> level, int layers, OffsetField& field) {
     solver.growToCorners(inside);
     solver.reseedCorners(inside);
   }
-  Coverage covered;
-  for (int layer = 1; layer <= layers; ++layer) {
-    if (covered.needsCorners(layer)) {
-      solver.grow();
-      covered.two += 2;
-      covered.three += 3;
-    } else {
-      solver.growAcrossFaces();
-      covered.two += 1;
-      covered.three += 1;
-    }
-  }
+  using Across = BandSolver::Across;
+  const Layers each = layersFor(layers);
+  for (int i = 0; i < each.corners; ++i) solver.grow(Across::corners);
+  for (int i = 0; i < each.edges; ++i) solver.grow(Across::edges);
+  for (int i = 0; i < each.faces; ++i) solver.grow(Across::faces);
   solver.relax(kRelaxations);
   return set;
 }

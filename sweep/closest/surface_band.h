@@ -2,8 +2,8 @@
 //
 // Seeds are the samples with a crossed edge (and, for caps, samples inside on the border of the grid). The other
 // corners of their cells follow. Seeds and corners that may see two sheets look at every cell around them
-// (closest_point.h). Then the band grows by k layers, by one sample in every direction (26 neighbours) or across faces
-// alone (6), where that is enough. A new sample starts from the best point of its neighbours and refines it
+// (closest_point.h). Then the band grows by k layers: across corners, edges and faces (26 neighbours), edges and faces
+// (18) or faces alone (6), as few as are enough. A new sample starts from the best point of its neighbours and refines it
 // (point_kernels.h). At last samples take over points of neighbours across faces that are nearer by a two-thousandth,
 // refined again, until that changes nothing.
 //
