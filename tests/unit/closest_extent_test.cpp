@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <glm/common.hpp>
 #include <limits>
 #include <vector>
 
@@ -91,6 +92,28 @@ TEST(ClosestExtent, BeyondTheBandTheLimitIsNotAboveTheTrueDistance) {
         EXPECT_GT(beyond, 50U);
       }
     }
+}
+
+TEST(ClosestExtent, BandsHoldAllThatIsNearACellWithSurface) {
+  // One sample inside: the eight cells around it hold the surface. The band of k layers has all samples a, b and c steps
+  // from the nearest corner of these with a^2 + b^2 + c^2 < (k + 1)^2, and none more than k steps along an axis.
+  constexpr int kCentre = 10;
+  const Grid<float> speck = sampleLevel(glm::ivec3(2 * kCentre + 1), glm::dvec3(1), [](glm::dvec3 p) {
+    return p == glm::dvec3(kCentre) ? 1.0 : -1.0;
+  });
+  for (int k = 0; k <= 8; ++k) {
+    OffsetField field(speck.view());
+    const BitGrid band = solveBand(speck.view(), k, field);
+    for (int z = 0; z <= 2 * kCentre; ++z)
+      for (int y = 0; y <= 2 * kCentre; ++y)
+        for (int x = 0; x <= 2 * kCentre; ++x) {
+          const glm::ivec3 steps = glm::max(glm::abs(glm::ivec3(x, y, z) - kCentre) - 1, glm::ivec3(0));
+          const int squared = steps.x * steps.x + steps.y * steps.y + steps.z * steps.z;
+          const bool has = band.test(x, y, z);
+          ASSERT_TRUE(has || squared >= (k + 1) * (k + 1)) << "k " << k << " at " << x << " " << y << " " << z;
+          ASSERT_FALSE(has && std::max({steps.x, steps.y, steps.z}) > k) << "k " << k << " at " << x << " " << y;
+        }
+  }
 }
 
 TEST(ClosestExtent, OfAFullAndAnEmptyGrid) {
