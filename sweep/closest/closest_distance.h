@@ -13,11 +13,11 @@
 // With extent = band, step 2 is left out. D is the full solution's, bit for bit, at the samples of the band: the
 // corners of cells with surface and k = bandVoxels layers about them, however far apart samples are. Elsewhere |D| is k
 // + 1 smallest spacings. A sample outside the band is no nearer to the surface than that (surface_band.h), so there it
-// is a lower bound of the true distance. Next to the surface bands of 1 and of 3 layers gave the same bits on the
-// shapes below, a gyroid and noise. Of the whole domain's time at 250^3 a band of 1 takes .24 to .29 on the sphere, .19
-// to .24 on the torus and .39 to .52 on the gyroid, of 3 .32 to .38, .27 to .34 and .65 to .78; the corners of cells
-// with surface alone .13 to .16, .12 to .13 and .22 to .28: on the gyroid, where these are 8 % of all samples, a band
-// is not to be had for a quarter.
+// is a lower bound of the true distance. Next to the surface bands of 1 and of 2 layers gave the same bits on the
+// shapes below, capsules and a gyroid; of 3 layers others at 15 of the gyroid's 1.2 million samples, by a
+// ten-thousandth. Of the whole domain's time at 250^3 a band of 1 takes .27 to .36 on the sphere, .25 to .30 on the
+// torus and .42 to .54 on the gyroid, of 3 .37, .36 and .69; on the gyroid the corners of cells with surface alone, 8 %
+// of all samples, take .28, so that no band is to be had there for a quarter.
 //
 // Near a smooth surface D is that of the interpolant, whose own error is h^2 / 8 times the sum of second derivatives
 // over the steepness: second order. Where several sheets are about equally far (rims, noise), another than the nearest
@@ -51,7 +51,7 @@ namespace isolume {
 ///        within 3 voxels: mean, largest      everywhere: mean, largest
 ///   0    .0178 (.0187)   .142 (.144)         .0069 (.0078)   .16 (.14)
 ///   1    .0024 (.0032)   .038 (.042)         .0063 (.0071)   .13 (.14)
-///   2    .0020 (.0028)   .0032 (.0059)       .0058 (.0066)   .15 (.11)
+///   2    .0020 (.0028)   .0032 (.0059)       .0059 (.0068)   .14 (.13)
 ///   3    .0020 (.0028)   .0032 (.0059)       .0056 (.0063)   .12 (.10)
 /// The trilinear interpolant itself is off by .0032 at most on that sphere, so the band is exact to the data. Two layers
 /// hold every sample within three voxels: a third makes none of these more exact and takes a tenth more time.
