@@ -44,14 +44,15 @@ inline RowRange unionOf(RowRange a, RowRange b) {
 class RayLayers {
  public:
   RayLayers(int rows, int words) : words_(words), rows_(rows + 2 * kGuardRows) {
-    const std::size_t size = static_cast<std::size_t>(layerWords()) * kKeptLayers + kVectorWords;
+    // What lies before the first row, and beyond the reach of all, is read too.
+    const std::size_t size = static_cast<std::size_t>(layerWords()) * kKeptLayers + 2 * kVectorWords;
     bits_ = makeLargeArray<std::uint64_t>(size);
     std::fill_n(bits_.get(), size, std::uint64_t{0});
   }
   std::ptrdiff_t layerWords() const { return static_cast<std::ptrdiff_t>(rows_) * words_; }
-  const std::int32_t* words32() const { return reinterpret_cast<const std::int32_t*>(bits_.get()); }
+  const std::int32_t* words32() const { return reinterpret_cast<const std::int32_t*>(first()); }
   std::uint64_t* row(int r, int layer) const {
-    return bits_.get() + slotOf(layer) * layerWords() + static_cast<std::ptrdiff_t>(r + kGuardRows) * words_;
+    return first() + slotOf(layer) * layerWords() + static_cast<std::ptrdiff_t>(r + kGuardRows) * words_;
   }
   RowRange met(int layer) const { return met_[static_cast<std::size_t>(slotOf(layer))]; }
   /// What the layer that lay in the same place had in other rows is cleared.
@@ -70,6 +71,8 @@ class RayLayers {
   }
 
  private:
+  std::uint64_t* first() const { return bits_.get() + kVectorWords; }
+
   int words_, rows_;
   std::array<RowRange, kKeptLayers> met_{};
   LargeArray<std::uint64_t> bits_;
