@@ -84,13 +84,17 @@ void forEachRun(const std::uint64_t* row, int words, const Visit& visit) {
   if (begin < end) visit(begin, end);
 }
 
+/// A word and its two neighbours along x, of which the words before and after it hold some.
+inline std::uint64_t spreadWord(std::uint64_t before, std::uint64_t own, std::uint64_t after) {
+  return own | own << 1 | before >> (kWordBits - 1) | own >> 1 | after << (kWordBits - 1);
+}
+
 /// row |= its two neighbours along x; bits beyond the end are not cleared.
 inline void spreadAlongX(std::uint64_t* row, int words) {
   std::uint64_t before = 0;
   for (int w = 0; w < words; ++w) {
     const std::uint64_t own = row[w];
-    const std::uint64_t after = w + 1 < words ? row[w + 1] << (kWordBits - 1) : 0;
-    row[w] = own | own << 1 | before >> (kWordBits - 1) | own >> 1 | after;
+    row[w] = spreadWord(before, own, w + 1 < words ? row[w + 1] : 0);
     before = own;
   }
 }

@@ -133,64 +133,35 @@ void cornerRow(const BitGrid& inside, int y, int z, BitRow& row) {
     }
     return Sides{any, ~all & (w + 1 == words ? inside.lastWordMask() : ~std::uint64_t{0})};
   };
-  const auto spread = [](std::uint64_t before, std::uint64_t own, std::uint64_t after) {
-    return own | own << 1 | before >> (kWordBits - 1) | own >> 1 | after << (kWordBits - 1);
-  };
   Sides before, own = sidesOf(0);
   for (int w = 0; w < words; ++w) {
     const Sides after = w + 1 < words ? sidesOf(w + 1) : Sides();
     row[static_cast<std::size_t>(w)] =
-        spread(before.inside, own.inside, after.inside) & spread(before.outside, own.outside, after.outside);
+        spreadWord(before.inside, own.inside, after.inside) & spreadWord(before.outside, own.outside, after.outside);
     before = own;
     own = after;
   }
   row.back() &= inside.lastWordMask();
 }
 
-void grownRow(const BitGrid& set, int y, int z, BitRow& row) {
+void grownRow(const BitGrid& set, Across across, int y, int z, BitRow& row) {
   const glm::ivec3 size = set.size();
+  // Rows that lie `steps` away. One beyond the grid is the one at its border, which is in reach as well.
+  const auto addRows = [&](int steps) {
+    for (int dz = -1; dz <= 1; ++dz)
+      for (int dy = -1; dy <= 1; ++dy) {
+        if (dy * dy + dz * dz != steps) continue;
+        const std::uint64_t* from = set.row(std::clamp(y + dy, 0, size.y - 1), std::clamp(z + dz, 0, size.z - 1));
+        for (std::size_t w = 0; w < row.size(); ++w) row[w] |= from[w];
+      }
+  };
+  const int reach = static_cast<int>(across);
   std::fill(row.begin(), row.end(), std::uint64_t{0});
-  for (int k = std::max(z - 1, 0); k <= std::min(z + 1, size.z - 1); ++k)
-    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, size.y - 1); ++j) {
-      const std::uint64_t* from = set.row(j, k);
-      for (std::size_t w = 0; w < row.size(); ++w) row[w] |= from[w];
-    }
+  for (int steps = 0; steps < reach; ++steps) addRows(steps);
+  // From there one more step leads along x.
   spreadAlongX(row.data(), set.words());
   row.back() &= set.lastWordMask();
-}
-
-void grownAcrossEdgesRow(const BitGrid& set, int y, int z, BitRow& row) {
-  grownAcrossFacesRow(set, y, z, row);
-  const glm::ivec3 size = set.size();
-  BitRow beside(row.size(), 0);  // across faces along y and z: edges lead from there along x
-  for (const int dy : {-1, 1}) {
-    if (y + dy < 0 || y + dy >= size.y) continue;
-    for (const int dz : {-1, 0, 1}) {
-      if (z + dz < 0 || z + dz >= size.z) continue;
-      const std::uint64_t* from = set.row(y + dy, z + dz);
-      BitRow& to = dz == 0 ? beside : row;
-      for (std::size_t w = 0; w < row.size(); ++w) to[w] |= from[w];
-    }
-  }
-  for (const int dz : {-1, 1}) {
-    if (z + dz < 0 || z + dz >= size.z) continue;
-    const std::uint64_t* from = set.row(y, z + dz);
-    for (std::size_t w = 0; w < row.size(); ++w) beside[w] |= from[w];
-  }
-  spreadAlongX(beside.data(), set.words());
-  beside.back() &= set.lastWordMask();
-  for (std::size_t w = 0; w < row.size(); ++w) row[w] |= beside[w];
-}
-
-void grownAcrossFacesRow(const BitGrid& set, int y, int z, BitRow& row) {
-  const glm::ivec3 size = set.size();
-  std::copy_n(set.row(y, z), row.size(), row.begin());
-  spreadAlongX(row.data(), set.words());
-  row.back() &= set.lastWordMask();
-  // A row beyond the grid is the row itself.
-  for (const std::uint64_t* from : {set.row(std::max(y - 1, 0), z), set.row(std::min(y + 1, size.y - 1), z),
-                                    set.row(y, std::max(z - 1, 0)), set.row(y, std::min(z + 1, size.z - 1))})
-    for (std::size_t w = 0; w < row.size(); ++w) row[w] |= from[w];
+  addRows(reach);
 }
 
 }  // namespace isolume

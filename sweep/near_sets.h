@@ -25,13 +25,11 @@ void capRow(const BitGrid& inside, int y, int z, BitRow& row);
 /// Corners of cells with samples on both sides, in row (y, z).
 void cornerRow(const BitGrid& inside, int y, int z, BitRow& row);
 
-/// Samples of row (y, z) that are in `set` or one of whose 26 neighbours is.
-void grownRow(const BitGrid& set, int y, int z, BitRow& row);
+/// Neighbours of a sample: the 6 across faces; with those across edges, 18; with those across corners, 26. The value:
+/// steps along an axis, one at most along each.
+enum class Across { faces = 1, edges = 2, corners = 3 };
 
-/// The same for the 18 neighbours across faces and edges.
-void grownAcrossEdgesRow(const BitGrid& set, int y, int z, BitRow& row);
-
-/// The same for the 6 neighbours across faces.
-void grownAcrossFacesRow(const BitGrid& set, int y, int z, BitRow& row);
+/// Samples of row (y, z) that are in `set` or one of whose neighbours is.
+void grownRow(const BitGrid& set, Across across, int y, int z, BitRow& row);
 
 }  // namespace isolume

@@ -146,16 +146,13 @@ void BandSolver::growTo(const RowOf& rowOf) {
 void BandSolver::growToCorners(const BitGrid& inside) {
   growTo([&](int y, int z, BitRow& row) {
     // Far from the set the row of corners is not worth its making.
-    grownRow(set_, y, z, row);
+    grownRow(set_, Across::corners, y, z, row);
     if (!isEmpty(row)) cornerRow(inside, y, z, row);
   });
 }
 
 void BandSolver::grow(Across across) {
-  const auto rowOf = across == Across::faces   ? grownAcrossFacesRow
-                     : across == Across::edges ? grownAcrossEdgesRow
-                                               : grownRow;
-  growTo([&](int y, int z, BitRow& row) { rowOf(set_, y, z, row); });
+  growTo([&](int y, int z, BitRow& row) { grownRow(set_, across, y, z, row); });
 }
 
 void BandSolver::reseedCorners(const BitGrid& inside) {
@@ -208,7 +205,7 @@ void BandSolver::relax(int rounds) {
         if (round == 0) {
           std::copy_n(set_.row(y, z), row.size(), row.begin());
         } else {
-          grownAcrossFacesRow(changed, y, z, row);
+          grownRow(changed, Across::faces, y, z, row);
           for (std::size_t w = 0; w < row.size(); ++w) row[w] &= set_.row(y, z)[w];
         }
         if (!isEmpty(row)) appendNearer(known(), y, z, row, kWorthTaking, batch);

@@ -27,8 +27,7 @@ class BandSolver {
   void growToCorners(const BitGrid& inside);
   /// Corners that found another sheet than one of their neighbours did look at every cell around them.
   void reseedCorners(const BitGrid& inside);
-  /// One layer: the 6 neighbours of the set across faces; with those across edges, 18; with those across corners, 26.
-  enum class Across { faces, edges, corners };
+  /// One layer: the neighbours of the set.
   void grow(Across across);
   /// Samples of the set take over neighbours' points that are nearer, and go on from there, until that changes nothing
   /// or `rounds` times.

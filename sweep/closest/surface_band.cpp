@@ -43,7 +43,6 @@ BitGrid solveBand(GridView<const float> level, int layers, OffsetField& field) {
     solver.growToCorners(inside);
     solver.reseedCorners(inside);
   }
-  using Across = BandSolver::Across;
   const Layers each = layersFor(layers);
   for (int i = 0; i < each.corners; ++i) solver.grow(Across::corners);
   for (int i = 0; i < each.edges; ++i) solver.grow(Across::edges);

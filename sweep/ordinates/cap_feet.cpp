@@ -101,7 +101,7 @@ void CapFeet::forEachRow(const Visit& visit) const {
     const BitGrid& solid = face.solid.bits();
     parallelFor(static_cast<std::size_t>(solid.size().y), [&](std::size_t at) {
       BitRow near(static_cast<std::size_t>(solid.words()));
-      grownRow(solid, static_cast<int>(at), 0, near);
+      grownRow(solid, Across::corners, static_cast<int>(at), 0, near);
       visit(face, static_cast<int>(at), near);
     });
   }

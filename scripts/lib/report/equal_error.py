@@ -13,9 +13,9 @@ def error(row: Row) -> float:
 def compare(ours: list[Row], peers: list[Row]) -> list[Row]:
     """For each of ours the peer's first setting, by rising knob, whose error is no larger. Where there is none, its
     last: `reached` is false, and the ratios are below what equal error would take."""
+    ordered = sorted(peers, key=lambda row: row["knob"])
     found = []
     for own in ours:
-        ordered = sorted(peers, key=lambda row: row["knob"])
         as_good = next((row for row in ordered if error(row) <= error(own)), None)
         peer = as_good or ordered[-1]
         found.append({"knob": own["knob"], "error": error(own), "peer_knob": peer["knob"], "peer_error": error(peer),

@@ -13,7 +13,7 @@ from .stats import Timing, digits, range_text, seconds_text, sums
 from .volumes import Scene
 
 INTRODUCTION = """\
-Truth: `isolume reference` with {rays} rays per pixel, {width} x {height} pixels, the same view for all; error: RMSE of
+Truth: `isolume reference` with {rays} rays per pixel, {picture} pixels, the same view for all; error: RMSE of
 the layer `ambient` over the pixels that both hit, by `isolume compare`, with the reference's own noise in it (its
 size, and the RMSE without it, are in the CSV file). Openness is 1 for an open point and 0 for a closed one. Files are
 read, and processes started, before the clock starts; everything runs once before it is timed. The first picture of a
@@ -215,12 +215,12 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
         section.findings += findings(scene, rows)
         if has_embree:
             add_equal_error(section, scene.name, rows)
-        if has_embree and scene.name.startswith(matrix.large_scenes):
-            larger = large_rows(matrix, programs, scene, stem, threads)
-            name = f"{scene.name}, {pixels_text(matrix.large_picture)} pixels"
-            section.tables.append(f"### {name}\n\n" + table_of(larger))
-            add_equal_error(section, name, larger)
-            all_rows += [{**row, "scene": name} for row in larger]
+            if scene.name.startswith(matrix.large_scenes):
+                larger = large_rows(matrix, programs, scene, stem, threads)
+                name = f"{scene.name}, {pixels_text(matrix.large_picture)} pixels"
+                section.tables.append(f"### {name}\n\n" + table_of(larger))
+                add_equal_error(section, name, larger)
+                all_rows += [{**row, "scene": name} for row in larger]
         section.plots.append(Plot(f"occlusion_{stem}", f"{scene.name}, {matrix.threads[-1]} threads: to the left is "
                                   "faster, below is closer to the truth; labels are each method's knob.",
                                   lambda path, shown=rows, title=scene.name: occlusion_plot(shown, title, path)))
@@ -229,7 +229,7 @@ def measure(matrix: Matrix, programs: Programs) -> Section:
     section.data["occlusion"] = all_rows
     section.introduction = INTRODUCTION.format(
         large=pixels_text(matrix.large_picture), large_rays=matrix.large_reference_rays,
-        rays=matrix.reference_rays, width=matrix.picture[0], height=matrix.picture[1],
+        rays=matrix.reference_rays, picture=pixels_text(matrix.picture),
         offsets=", ".join(map(str, matrix.offsets)), ordinates=", ".join(str(count) for count, _ in matrix.ordinates),
         refined=min((count for count, refinement in matrix.ordinates if refinement > 1), default=0), knob=", ".join(map(str, matrix.rays)),
         kernels=", ".join(map(str, matrix.kernels)), **versions)
