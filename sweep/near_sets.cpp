@@ -8,6 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 HWY_BEFORE_NAMESPACE();
@@ -145,23 +147,30 @@ void cornerRow(const BitGrid& inside, int y, int z, BitRow& row) {
 }
 
 void grownRow(const BitGrid& set, Across across, int y, int z, BitRow& row) {
-  const glm::ivec3 size = set.size();
-  // Rows that lie `steps` away. One beyond the grid is the one at its border, which is in reach as well.
-  const auto addRows = [&](int steps) {
-    for (int dz = -1; dz <= 1; ++dz)
-      for (int dy = -1; dy <= 1; ++dy) {
-        if (dy * dy + dz * dz != steps) continue;
-        const std::uint64_t* from = set.row(std::clamp(y + dy, 0, size.y - 1), std::clamp(z + dz, 0, size.z - 1));
-        for (std::size_t w = 0; w < row.size(); ++w) row[w] |= from[w];
-      }
+  // One beyond the grid is the one at its border, which is in reach as well.
+  const auto rowAt = [&](int dy, int dz) {
+    return set.row(std::clamp(y + dy, 0, set.size().y - 1), std::clamp(z + dz, 0, set.size().z - 1));
   };
-  const int reach = static_cast<int>(across);
-  std::fill(row.begin(), row.end(), std::uint64_t{0});
-  for (int steps = 0; steps < reach; ++steps) addRows(steps);
-  // From there one more step leads along x.
-  spreadAlongX(row.data(), set.words());
+  const std::uint64_t* own = rowAt(0, 0);
+  const std::array beside{rowAt(-1, 0), rowAt(1, 0), rowAt(0, -1), rowAt(0, 1)};
+  const std::array diagonal{rowAt(-1, -1), rowAt(1, -1), rowAt(-1, 1), rowAt(1, 1)};
+  const auto any = [](const auto& rows, int w) { return rows[0][w] | rows[1][w] | rows[2][w] | rows[3][w]; };
+  // Those from which one more step leads along x.
+  const auto inner = [&](int w) {
+    return own[w] | (across >= Across::edges ? any(beside, w) : 0) | (across >= Across::corners ? any(diagonal, w) : 0);
+  };
+  const auto outer = [&](int w) {
+    return across == Across::faces ? any(beside, w) : across == Across::edges ? any(diagonal, w) : 0;
+  };
+  const int words = set.words();
+  std::uint64_t before = 0, here = inner(0);
+  for (int w = 0; w < words; ++w) {
+    const std::uint64_t after = w + 1 < words ? inner(w + 1) : 0;
+    row[static_cast<std::size_t>(w)] = spreadWord(before, here, after) | outer(w);
+    before = here;
+    here = after;
+  }
   row.back() &= set.lastWordMask();
-  addRows(reach);
 }
 
 }  // namespace isolume
