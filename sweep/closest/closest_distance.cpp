@@ -54,7 +54,7 @@ Grid<float> closestDistance(GridView<const float> level, const ClosestOptions& o
     const double limit = (options.bandVoxels + 1) * smallestSpacing(level.spacing);
     writeBandDistance(level, band, static_cast<float>(limit), field);
   } else {
-    carryOffsets(level, band, options.rounds, field);
+    carryOffsets(level, band, field);
   }
   return std::move(field.component[0]);
 }

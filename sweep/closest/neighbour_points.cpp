@@ -14,6 +14,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "bit_mask-inl.h"
 #include "point_vector-inl.h"
 
 #ifndef ISOLUME_NEIGHBOUR_STEPS
@@ -68,12 +69,6 @@ struct RowPart {
   std::uint64_t bits = 0;
 };
 
-HWY_INLINE FloatMask maskOf(std::uint64_t bits) {
-  std::uint8_t bytes[8];  // as many as LoadMaskBits may read
-  std::memcpy(bytes, &bits, sizeof bits);
-  return hn::LoadMaskBits(FloatTag(), bytes);
-}
-
 // Values at the lanes of `bits`, 0 elsewhere; nothing else is read.
 HWY_INLINE FloatVec loadBits(const float* from, std::uint64_t bits, FloatMask mask) {
   const FloatTag d;
@@ -89,7 +84,7 @@ HWY_INLINE FloatVec loadBits(const float* from, std::uint64_t bits, FloatMask ma
 }
 
 HWY_INLINE Vec3 pointsAt(const std::array<const float*, 3>& row, int x, std::uint64_t bits) {
-  const FloatMask mask = maskOf(bits);
+  const FloatMask mask = maskOf(FloatTag(), bits);
   return {loadBits(row[0] + x, bits, mask), loadBits(row[1] + x, bits, mask), loadBits(row[2] + x, bits, mask)};
 }
 
@@ -134,7 +129,7 @@ class RowsAround {
       const Vec3 points = pointsAt(row.points, part.x + step.dx, bits);
       const Vec3 candidates = {hn::Add(points.x, hn::Set(d, static_cast<float>(step.dx) * unitX_)),
                                hn::Add(points.y, hn::Set(d, row.moveY)), hn::Add(points.z, hn::Set(d, row.moveZ))};
-      offer(candidates, points, maskOf(bits));
+      offer(candidates, points, maskOf(FloatTag(), bits));
     }
   }
 
@@ -229,7 +224,7 @@ void startsInRow(const KnownPoints& known, int y, int z, const BitRow& wanted, P
     const auto squared = dot(normal, normal);
     const auto foot = scaled(normal, hn::Div(dot(best, normal), squared));
     const auto has = hn::Gt(squared, hn::Set(d, kShortestNormal * kShortestNormal));
-    append(part, y, z, maskOf(part.bits), best, chosen(has, foot, best), batch);
+    append(part, y, z, maskOf(FloatTag(), part.bits), best, chosen(has, foot, best), batch);
   });
 }
 

@@ -1,11 +1,17 @@
 #include "row_kernels.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "sweep/bit_grid.h"
+#include "sweep/closest/offset_field.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/closest/row_kernels.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#include "bit_mask-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {
@@ -59,25 +65,60 @@ HWY_INLINE void takeThree(const float* fromX, const float* fromY, const float* f
   keepNearer(candidate(1, dx), best);
 }
 
-void planeStep(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int y, PaddedPlane& plane,
-               PaddedPlane& copy) {
+// Of a row of `count` floats, those from x on: a whole vector, or what is left and zeros.
+HWY_INLINE FloatVec loadPart(const float* row, int x, int count) {
+  const FloatTag d;
+  if (x + static_cast<int>(hn::Lanes(d)) <= count) return hn::LoadU(d, row + x);
+  HWY_ALIGN float part[kRowGroup] = {};
+  std::copy(row + x, row + count, part);
+  return hn::Load(d, part);
+}
+HWY_INLINE void storePart(FloatVec values, int x, int count, float* row) {
+  const FloatTag d;
+  if (x + static_cast<int>(hn::Lanes(d)) <= count) {
+    hn::StoreU(values, d, row + x);
+    return;
+  }
+  HWY_ALIGN float part[kRowGroup];
+  hn::Store(values, d, part);
+  std::copy_n(part, count - x, row + x);
+}
+
+// Of the samples from x on, which are fixed, and their offsets; `others` elsewhere.
+struct FixedPart {
+  std::uint64_t bits;
+  hn::Mask<FloatTag> mask;
+  FixedPart(const FixedRow& row, int x)
+      : bits(row.bits[x / kWordBits] >> (x % kWordBits) & ((std::uint64_t{1} << hn::Lanes(FloatTag())) - 1)),
+        mask(maskOf(FloatTag(), bits)) {}
+};
+HWY_INLINE Offsets withFixed(const FixedPart& part, const FixedRow& row, int x, int nx, const Offsets& others) {
+  return withSquare(hn::IfThenElse(part.mask, loadPart(row.component[0], x, nx), others.x),
+                    hn::IfThenElse(part.mask, loadPart(row.component[1], x, nx), others.y),
+                    hn::IfThenElse(part.mask, loadPart(row.component[2], x, nx), others.z));
+}
+
+void planeStep(const FixedRow& fixed, const PaddedPlane* before, float dz, glm::vec3 step, int nx, int y,
+               PaddedPlane& plane) {
   const FloatTag d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const auto stepX = hn::Set(d, step.x);
   const auto stepZ = hn::Set(d, dz);
+  const Offsets unset = withSquare(hn::Set(d, kUnsetOffset), hn::Zero(d), hn::Zero(d));
   const float* rows[3][3];
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int axis = 0; axis < 3; ++axis) rows[dy + 1][axis] = before.row(axis, y + dy);
+  for (int dy = -1; dy <= 1 && before != nullptr; ++dy)
+    for (int axis = 0; axis < 3; ++axis) rows[dy + 1][axis] = before->row(axis, y + dy);
   for (int x = 0; x < nx; x += lanes) {
-    Offsets best = load(plane, y, x);
-    takeThree(rows[0][0] + x, rows[0][1] + x, rows[0][2] + x, stepX, hn::Set(d, -step.y), stepZ, best);
-    takeThree(rows[1][0] + x, rows[1][1] + x, rows[1][2] + x, stepX, hn::Zero(d), stepZ, best);
-    takeThree(rows[2][0] + x, rows[2][1] + x, rows[2][2] + x, stepX, hn::Set(d, step.y), stepZ, best);
+    const FixedPart part(fixed, x);
+    Offsets best = part.bits == 0 ? unset : withFixed(part, fixed, x, nx, unset);
+    if (before != nullptr) {
+      takeThree(rows[0][0] + x, rows[0][1] + x, rows[0][2] + x, stepX, hn::Set(d, -step.y), stepZ, best);
+      takeThree(rows[1][0] + x, rows[1][1] + x, rows[1][2] + x, stepX, hn::Zero(d), stepZ, best);
+      takeThree(rows[2][0] + x, rows[2][1] + x, rows[2][2] + x, stepX, hn::Set(d, step.y), stepZ, best);
+    }
     store(best, y, x, plane);
-    store(best, y, x, copy);
   }
   plane.clearTail(y);
-  copy.clearTail(y);
 }
 
 void rowsStep(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy, int count) {
@@ -107,19 +148,6 @@ HWY_INLINE void interleave4(const float* rows, std::ptrdiff_t apart, float* run)
     hn::StoreInterleaved4(hn::LoadU(d, rows + i), hn::LoadU(d, rows + apart + i), hn::LoadU(d, rows + 2 * apart + i),
                           hn::LoadU(d, rows + 3 * apart + i), d, run + 4 * i);
 }
-HWY_INLINE void separate4(const float* run, float* rows, std::ptrdiff_t apart) {
-  const FloatTag d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int i = 0; i < kRowGroup; i += lanes) {
-    FloatVec a, b, c, e;
-    hn::LoadInterleaved4(d, run + 4 * i, a, b, c, e);
-    hn::StoreU(a, d, rows + i);
-    hn::StoreU(b, d, rows + apart + i);
-    hn::StoreU(c, d, rows + 2 * apart + i);
-    hn::StoreU(e, d, rows + 3 * apart + i);
-  }
-}
-
 constexpr int kBlock = kRowGroup * kRowGroup;
 
 // Transposes 16 x 16 floats, rows `stride` floats apart, as two rounds of interleaving by four: rows (r, r + 4, r + 8,
@@ -129,77 +157,48 @@ HWY_INLINE void toColumns(const float* rows, std::ptrdiff_t stride, float* colum
   for (int r = 0; r < 4; ++r) interleave4(rows + r * stride, 4 * stride, runs + r * kBlock / 4);
   for (int part = 0; part < 4; ++part) interleave4(runs + part * kRowGroup, kBlock / 4, columns + part * kBlock / 4);
 }
-HWY_INLINE void toRows(const float* columns, float* rows, std::ptrdiff_t stride) {
-  HWY_ALIGN float runs[kBlock];
-  for (int part = 0; part < 4; ++part) separate4(columns + part * kBlock / 4, runs + part * kRowGroup, kBlock / 4);
-  for (int r = 0; r < 4; ++r) separate4(runs + r * kBlock / 4, rows + r * stride, 4 * stride);
-}
-
-// Step 3 for kGroups groups of rows as columns, `apart` floats apart: each step along x waits for the one before, so two
-// groups take turns.
-template <int kGroups>
-HWY_INLINE void scanColumns(float* const (&columns)[3], std::size_t apart, float step, int first, int dx, int count) {
+void transposeStep(const PaddedPlane& from, int nx, int y, PaddedPlane& to) {
+  const std::ptrdiff_t stride = from.row(0, 1) - from.row(0, 0);
   const FloatTag d;
-  const auto stepX = hn::Set(d, step);
-  for (int lane = 0; lane < kRowGroup; lane += static_cast<int>(hn::Lanes(d))) {
-    const auto at = [&](int group, int x, int axis) {
-      return columns[axis] + static_cast<std::size_t>(group) * apart + x * kRowGroup + lane;
-    };
-    FloatVec from[kGroups][3];
-    for (int g = 0; g < kGroups; ++g)
-      for (int axis = 0; axis < 3; ++axis) from[g][axis] = hn::Load(d, at(g, first, axis));
-    for (int i = 1, x = first + dx; i < count; ++i, x += dx)
-      for (int g = 0; g < kGroups; ++g) {
-        Offsets best = withSquare(hn::Load(d, at(g, x, 0)), hn::Load(d, at(g, x, 1)), hn::Load(d, at(g, x, 2)));
-        keepNearer(withSquare(hn::Add(from[g][0], stepX), from[g][1], from[g][2]), best);
-        hn::Store(best.x, d, at(g, x, 0));
-        hn::Store(best.y, d, at(g, x, 1));
-        hn::Store(best.z, d, at(g, x, 2));
-        from[g][0] = best.x;
-        from[g][1] = best.y;
-        from[g][2] = best.z;
-      }
+  HWY_ALIGN float columns[kBlock];
+  for (int axis = 0; axis < 3; ++axis) {
+    const int fromAxis = axis == 2 ? 2 : 1 - axis;
+    for (int x = 0; x < nx; x += kRowGroup) {
+      toColumns(from.row(fromAxis, x) + y, stride, columns);
+      for (int i = 0; i < kRowGroup; ++i)
+        for (int lane = 0; lane < kRowGroup; lane += static_cast<int>(hn::Lanes(d)))
+          hn::Store(hn::Load(d, columns + i * kRowGroup + lane), d, to.row(axis, y + i) + x + lane);
+    }
   }
 }
 
-void alongStep(const PaddedPlane& other, float stepX, int nx, int y, int groups, PaddedPlane& plane) {
+// The distance by its square; negative where level > 0.
+HWY_INLINE FloatVec signedDistance(FloatVec squared, FloatVec level, float unit) {
   const FloatTag d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  for (int row = y; row < y + groups * kRowGroup; ++row)
-    for (int x = 0; x < nx; x += lanes) {
-      Offsets best = load(plane, row, x);
-      keepNearer(load(other, row, x), best);
-      store(best, row, x, plane);
-    }
+  const auto distance = hn::Mul(hn::Sqrt(squared), hn::Set(d, unit));
+  return hn::IfThenElse(hn::Gt(level, hn::Zero(d)), hn::Neg(distance), distance);
+}
 
-  const std::ptrdiff_t stride = plane.row(0, 1) - plane.row(0, 0);
-  const std::size_t width = static_cast<std::size_t>(PaddedPlane::roundUp(nx)) * kRowGroup;
-  const std::size_t apart = 3 * width;
-  static thread_local LargeArray<float> scratch;
-  static thread_local std::size_t room = 0;
-  if (room < kAlongGroups * apart) {
-    room = kAlongGroups * apart;
-    scratch = makeLargeArray<float>(room);
-  }
-  float* const columns[3] = {scratch.get(), scratch.get() + width, scratch.get() + 2 * width};
-  const auto forBlocks = [&](const auto& visit) {
-    for (int g = 0; g < groups; ++g)
-      for (int axis = 0; axis < 3; ++axis)
-        for (int x = 0; x < nx; x += kRowGroup)
-          visit(plane.row(axis, y + g * kRowGroup) + x,
-                columns[axis] + static_cast<std::size_t>(g) * apart + x * kRowGroup);
-  };
-  forBlocks([&](float* rows, float* block) { toColumns(rows, stride, block); });
-  for (const int dx : {1, -1}) {
-    const int first = dx > 0 ? 0 : nx - 1;
-    const float step = -static_cast<float>(dx) * stepX;
-    if (groups == kAlongGroups) {
-      scanColumns<kAlongGroups>(columns, apart, step, first, dx, nx);
-    } else {
-      scanColumns<1>(columns, apart, step, first, dx, nx);
+void finishStep(const FixedRow& fixed, Result result, const float* level, float unit, int nx, int y,
+                PaddedPlane& plane) {
+  const FloatTag d;
+  float* out = fixed.component[0];
+  for (int x = 0; x < nx; x += static_cast<int>(hn::Lanes(d))) {
+    const FixedPart part(fixed, x);
+    Offsets own = load(plane, y, x);
+    if (part.bits != 0) {
+      own = withFixed(part, fixed, x, nx, own);
+      store(own, y, x, plane);
     }
+    if (result == Result::kept) {
+      storePart(hn::IfThenElse(part.mask, own.x, own.squared), x, nx, out);
+      continue;
+    }
+    FloatVec squared = own.squared;
+    if (result == Result::compared)
+      squared = hn::IfThenElse(part.mask, squared, hn::Min(squared, loadPart(out, x, nx)));
+    storePart(signedDistance(squared, loadPart(level, x, nx), unit), x, nx, out);
   }
-  forBlocks([&](float* rows, float* block) { toRows(block, rows, stride); });
 }
 
 void distanceStep(const float* x, const float* y, const float* z, const float* level, float unit, std::size_t count,
@@ -209,9 +208,7 @@ void distanceStep(const float* x, const float* y, const float* z, const float* l
   std::size_t i = 0;
   for (; i + lanes <= count; i += lanes) {
     const auto squared = squaredOf(hn::LoadU(d, x + i), hn::LoadU(d, y + i), hn::LoadU(d, z + i));
-    const auto distance = hn::Mul(hn::Sqrt(squared), hn::Set(d, unit));
-    const auto inside = hn::Gt(hn::LoadU(d, level + i), hn::Zero(d));
-    hn::StoreU(hn::IfThenElse(inside, hn::Neg(distance), distance), d, out + i);
+    hn::StoreU(signedDistance(squared, hn::LoadU(d, level + i), unit), d, out + i);
   }
   for (; i < count; ++i) {
     const float distance = std::sqrt(squaredLength({x[i], y[i], z[i]})) * unit;
@@ -227,18 +224,23 @@ namespace isolume {
 
 HWY_EXPORT(planeStep);
 HWY_EXPORT(rowsStep);
-HWY_EXPORT(alongStep);
+HWY_EXPORT(transposeStep);
+HWY_EXPORT(finishStep);
 HWY_EXPORT(distanceStep);
 
-void takeFromPlane(const PaddedPlane& before, float dz, glm::vec3 step, int nx, int y, PaddedPlane& plane,
-                   PaddedPlane& copy) {
-  HWY_DYNAMIC_DISPATCH(planeStep)(before, dz, step, nx, y, plane, copy);
+void takeFromPlane(const FixedRow& fixed, const PaddedPlane* before, float dz, glm::vec3 step, int nx, int y,
+                   PaddedPlane& plane) {
+  HWY_DYNAMIC_DISPATCH(planeStep)(fixed, before, dz, step, nx, y, plane);
 }
 void takeFromRows(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy, int count) {
   HWY_DYNAMIC_DISPATCH(rowsStep)(plane, step, nx, first, dy, count);
 }
-void takeAlongRows(const PaddedPlane& other, float stepX, int nx, int y, int groups, PaddedPlane& plane) {
-  HWY_DYNAMIC_DISPATCH(alongStep)(other, stepX, nx, y, groups, plane);
+void transposeRows(const PaddedPlane& from, int nx, int y, PaddedPlane& to) {
+  HWY_DYNAMIC_DISPATCH(transposeStep)(from, nx, y, to);
+}
+void finishRow(const FixedRow& fixed, Result result, const float* level, float unit, int nx, int y,
+               PaddedPlane& plane) {
+  HWY_DYNAMIC_DISPATCH(finishStep)(fixed, result, level, unit, nx, y, plane);
 }
 void offsetsToDistance(const float* x, const float* y, const float* z, const float* level, float unit,
                        std::size_t count, float* out) {

@@ -3,9 +3,9 @@
 // Seeds are the samples with a crossed edge (and, for caps, samples inside on the border of the grid). The other
 // corners of their cells follow. Seeds and corners that may see two sheets look at every cell around them
 // (closest_point.h). Then the band grows by k layers: across corners, edges and faces (26 neighbours), edges and faces
-// (18) or faces alone (6), as few as are enough. A new sample starts from the best point of its neighbours and refines it
-// (point_kernels.h). At last samples take over points of neighbours across faces that are nearer by a two-thousandth,
-// refined again, until that changes nothing.
+// (18) or faces alone (6), as few as are enough. A new sample starts from the best point of its neighbours and refines
+// it (point_kernels.h). At last samples take over points of neighbours across faces that are nearer by a
+// two-thousandth, refined again, until that changes nothing.
 //
 // What k layers leave out is far: of its steps a >= b >= c along the axes to the nearest corner of any cell with
 // surface, a > k, or a + b or a + b + c is more than layers reach, which grow such that then a^2 + b^2 + c^2 >= (k +

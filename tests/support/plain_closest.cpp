@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <utility>
 
@@ -10,12 +11,9 @@
 namespace isolume::test {
 namespace {
 
-using Plane = std::vector<glm::vec3>;
-
 struct Passes {
   glm::ivec3 n;
   glm::vec3 h;
-  std::vector<glm::vec3> offset;
   std::vector<std::pair<std::size_t, glm::vec3>> fixed;  // by index
 
   std::size_t index(int x, int y, int z) const {
@@ -24,39 +22,45 @@ struct Passes {
   static void keepNearer(glm::vec3 candidate, glm::vec3& own) {
     if (squaredLength(candidate) < squaredLength(own)) own = candidate;
   }
-  void takeThree(const glm::vec3* row, int x, glm::vec3 step, glm::vec3& own) const {
-    for (int dx = -1; dx <= 1; ++dx)
-      if (x + dx >= 0 && x + dx < n.x)
-        keepNearer(row[x + dx] + glm::vec3(static_cast<float>(dx) * h.x, step.y, step.z), own);
-  }
-  void inPlane(int z) {
-    const std::size_t perPlane = static_cast<std::size_t>(n.x) * n.y;
-    glm::vec3* rising = offset.data() + index(0, 0, z);
-    Plane falling(rising, rising + perPlane);
-    for (int y = 1; y < n.y; ++y)
-      for (int x = 0; x < n.x; ++x) takeThree(rising + (y - 1) * n.x, x, {0, -h.y, 0}, rising[y * n.x + x]);
-    for (int y = n.y - 2; y >= 0; --y)
-      for (int x = 0; x < n.x; ++x)
-        takeThree(falling.data() + (y + 1) * n.x, x, {0, h.y, 0}, falling[static_cast<std::size_t>(y * n.x + x)]);
-    for (std::size_t i = 0; i < perPlane; ++i) keepNearer(falling[i], rising[i]);
-    for (int y = 0; y < n.y; ++y) {
-      glm::vec3* row = rising + y * n.x;
-      for (int x = 1; x < n.x; ++x) keepNearer(row[x - 1] + glm::vec3(-h.x, 0, 0), row[x]);
-      for (int x = n.x - 2; x >= 0; --x) keepNearer(row[x + 1] + glm::vec3(h.x, 0, 0), row[x]);
+  // Sample `at` of `offset` takes candidates from the three about its neighbour at `step`, along `axis`.
+  void takeThree(const std::vector<glm::vec3>& from, glm::ivec3 at, glm::ivec3 step, int axis, glm::vec3& own) const {
+    for (int d = -1; d <= 1; ++d) {
+      step[axis] = d;
+      const glm::ivec3 q = at + step;
+      if (glm::all(glm::greaterThanEqual(q, glm::ivec3(0))) && glm::all(glm::lessThan(q, n)))
+        keepNearer(from[index(q.x, q.y, q.z)] + glm::vec3(step) * h, own);
     }
   }
-  void pass(int dz) {
+  // Lines of plane z take candidates from the line before, both ways along `across`; `along` is the other axis.
+  void inPlane(int z, int across, int along, std::vector<glm::vec3>& offset) const {
+    for (const int way : {1, -1})
+      for (int i = 1; i < n[across]; ++i)
+        for (int j = 0; j < n[along]; ++j) {
+          glm::ivec3 at(0, 0, z), step(0);
+          at[across] = way > 0 ? i : n[across] - 1 - i;
+          at[along] = j;
+          step[across] = -way;
+          takeThree(offset, at, step, along, offset[index(at.x, at.y, at.z)]);
+        }
+  }
+  void pass(int dz, std::vector<glm::vec3>& offset) const {
     for (int i = 0; i < n.z; ++i) {
       const int z = dz > 0 ? i : n.z - 1 - i;
       for (int y = 0; i > 0 && y < n.y; ++y)
         for (int x = 0; x < n.x; ++x)
-          for (int dy = -1; dy <= 1; ++dy)
-            if (y + dy >= 0 && y + dy < n.y)
-              takeThree(&offset[index(0, y + dy, z - dz)], x, glm::vec3(0, dy, -dz) * h, offset[index(x, y, z)]);
-      inPlane(z);
+          for (int dy = -1; dy <= 1; ++dy) takeThree(offset, {x, y, z}, {0, dy, -dz}, 0, offset[index(x, y, z)]);
+      inPlane(z, 1, 0, offset);
+      inPlane(z, 0, 1, offset);
       for (const auto& [at, point] : fixed)
         if (at >= index(0, 0, z) && at < index(0, 0, z + 1)) offset[at] = point;
     }
+  }
+  // Both passes from the same start; then the nearer point of the two.
+  void round(std::vector<glm::vec3>& offset) const {
+    std::vector<glm::vec3> down = offset;
+    pass(1, offset);
+    pass(-1, down);
+    for (std::size_t i = 0; i < offset.size(); ++i) keepNearer(down[i], offset[i]);
   }
 };
 
@@ -66,23 +70,21 @@ std::vector<float> plainClosestDistance(GridView<const float> level, int bandVox
   OffsetField field(level);
   const BitGrid band = solveBand(level, bandVoxels, field);
   const double unit = smallestSpacing(level.spacing);
-  Passes passes{level.size, glm::vec3(level.spacing / unit), {}, {}};
+  Passes passes{level.size, glm::vec3(level.spacing / unit), {}};
+  std::vector<glm::vec3> offset;
   for (int z = 0; z < level.size.z; ++z)
     for (int y = 0; y < level.size.y; ++y)
       for (int x = 0; x < level.size.x; ++x) {
         const std::size_t i = level.index(x, y, z);
         const bool isFixed = band.test(x, y, z);
-        passes.offset.push_back(isFixed ? field.at(i) : glm::vec3(kUnsetOffset, 0, 0));
+        offset.push_back(isFixed ? field.at(i) : glm::vec3(kUnsetOffset, 0, 0));
         if (isFixed) passes.fixed.emplace_back(i, field.at(i));
       }
   const bool hasSurface = !passes.fixed.empty();
-  for (int round = 0; hasSurface && round < rounds; ++round) {
-    passes.pass(1);
-    passes.pass(-1);
-  }
+  for (int round = 0; hasSurface && round < rounds; ++round) passes.round(offset);
   std::vector<float> distance;
   for (std::size_t i = 0; i < level.count(); ++i) {
-    const float length = std::sqrt(squaredLength(passes.offset[i])) * static_cast<float>(unit);
+    const float length = std::sqrt(squaredLength(offset[i])) * static_cast<float>(unit);
     const float reached = hasSurface ? length : std::numeric_limits<float>::infinity();
     distance.push_back(level.data[i] > 0 ? -reached : reached);
   }

@@ -98,9 +98,8 @@ TEST(ClosestExtent, BandsHoldAllThatIsNearACellWithSurface) {
   // One sample inside: the eight cells around it hold the surface. The band of k layers has all samples a, b and c
   // steps from the nearest corner of these with a^2 + b^2 + c^2 < (k + 1)^2, and none more than k steps along an axis.
   constexpr int kCentre = 10;
-  const Grid<float> speck = sampleLevel(glm::ivec3(2 * kCentre + 1), glm::dvec3(1), [](glm::dvec3 p) {
-    return p == glm::dvec3(kCentre) ? 1.0 : -1.0;
-  });
+  const Grid<float> speck = sampleLevel(glm::ivec3(2 * kCentre + 1), glm::dvec3(1),
+                                        [](glm::dvec3 p) { return p == glm::dvec3(kCentre) ? 1.0 : -1.0; });
   for (int k = 0; k <= 8; ++k) {
     OffsetField field(speck.view());
     const BitGrid band = solveBand(speck.view(), k, field);

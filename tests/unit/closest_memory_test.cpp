@@ -37,20 +37,21 @@ class ClosestMemory : public testing::Test {
 constexpr int kSize = 192;
 
 TEST_F(ClosestMemory, OfABallIsBelowTwelveBytesPerVoxel) {
-  // Twelve bytes are three components everywhere; where no plane below the ball has a point yet, a third of them.
+  // Twelve bytes are three components everywhere; of planes below and above the band, with what lies about them in the
+  // same huge pages, a third of them (measured: 10.1).
   const Grid<float> ball = test::ballLevel(kSize, .31 * kSize, glm::dvec3(.5 * kSize));
   const double peak = peakPerVoxel(ball.view());
-  EXPECT_LT(peak, 11.7);
+  EXPECT_LT(peak, 10.5);
   EXPECT_GT(peak, 4.0) << "is anything measured?";
 }
 
 TEST_F(ClosestMemory, OfASurfaceThroughTheWholeGridIsTwelveBytesAndAFewBits) {
   // Waves that reach the lowest plane: twelve bytes, three bits while the band is made, one in the passes, and planes
-  // of scratch (27 floats per sample of a plane, .56 byte per voxel at this size).
+  // of scratch (18 floats per sample of a plane, .38 byte per voxel at this size).
   const Grid<float> waves = test::sampleLevel(glm::ivec3(kSize), glm::dvec3(1), [](glm::dvec3 p) {
     return std::sin(.2 * p.x) + std::sin(.21 * p.y) + std::cos(.19 * p.z);
   });
-  EXPECT_LT(peakPerVoxel(waves.view()), 12 + 3.0 / 8 + .56);
+  EXPECT_LT(peakPerVoxel(waves.view()), 12 + 3.0 / 8 + .38);
 }
 
 }  // namespace
