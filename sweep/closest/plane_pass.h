@@ -11,10 +11,10 @@
 //   5. the first pass that visits a sample keeps the square of its distance there, the second writes the distance.
 // Closest points travel almost without turning back, so neither pass needs what the other has found: a second round
 // from the nearer points of both shortens the mean distance on a torus at 64^3 by 2e-5 voxels and no distance by more
-// than .05. What a point's way has along y and x it may go in any order by steps 2 and 3 together; with one candidate
-// each in step 3 ways near the plane z = 0 were off by up to .25 voxel. Neighbours along x differ by at most the
-// spacing; along y and z the tests find at most a hundredth more. After [Danielsson80] (vector distance transform by
-// raster scans), with subvoxel points instead of voxel centres.
+// than .05. Along y and x a point may go its way in any order, by steps 2 and 3; with one candidate alone per sample in
+// step 3, from the column before, ways within planes were off by up to .25 voxel. Neighbours differ by the spacing at
+// most, to a few thousandths on thin sheets. After [Danielsson80] (vector distance transform by raster scans), with
+// subvoxel points instead of voxel centres.
 //
 // No offset but the fixed samples' own is ever written to the field, so that memory that the band has not touched stays
 // untouched in two of its components.

@@ -140,7 +140,7 @@ void rowsStep(PaddedPlane& plane, glm::vec3 step, int nx, int first, int dy, int
   }
 }
 
-// Four rows of kRowGroup floats each, `apart` floats apart, to one run of 4 kRowGroup floats, value by value; and back.
+// Four rows of kRowGroup floats each, `apart` floats apart, to one run of 4 kRowGroup floats, value by value.
 HWY_INLINE void interleave4(const float* rows, std::ptrdiff_t apart, float* run) {
   const FloatTag d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -148,6 +148,7 @@ HWY_INLINE void interleave4(const float* rows, std::ptrdiff_t apart, float* run)
     hn::StoreInterleaved4(hn::LoadU(d, rows + i), hn::LoadU(d, rows + apart + i), hn::LoadU(d, rows + 2 * apart + i),
                           hn::LoadU(d, rows + 3 * apart + i), d, run + 4 * i);
 }
+
 constexpr int kBlock = kRowGroup * kRowGroup;
 
 // Transposes 16 x 16 floats, rows `stride` floats apart, as two rounds of interleaving by four: rows (r, r + 4, r + 8,
@@ -157,6 +158,7 @@ HWY_INLINE void toColumns(const float* rows, std::ptrdiff_t stride, float* colum
   for (int r = 0; r < 4; ++r) interleave4(rows + r * stride, 4 * stride, runs + r * kBlock / 4);
   for (int part = 0; part < 4; ++part) interleave4(runs + part * kRowGroup, kBlock / 4, columns + part * kBlock / 4);
 }
+
 void transposeStep(const PaddedPlane& from, int nx, int y, PaddedPlane& to) {
   const std::ptrdiff_t stride = from.row(0, 1) - from.row(0, 0);
   const FloatTag d;

@@ -11,8 +11,8 @@ from .stats import Timing, digits, range_text, seconds_text
 
 INTRODUCTION = """\
 Every solver gets the same samples and fills the whole grid with signed distances. Reading a file, and handing the
-samples to a library in its own form, are not timed; each solver runs once before it is timed. Errors are in voxels,
-against the distance to the trilinear isosurface itself, found by a branch-and-bound search in double precision that
+samples to a library in its own form, are not timed; each solver runs once before it is timed, and then all take turns.
+Errors are in voxels, against the distance to the trilinear isosurface itself, found by a branch-and-bound search in double precision that
 stops when the true distance is known to {tolerance} voxel (`tests/bench/report/closest_distance.h`), at {anywhere}
 voxels drawn from the whole grid (mean) and {near} more drawn from around the surface (with the others: maximum, and
 the errors within {reach} voxels of the surface). A maximum is thus that of the drawn voxels.

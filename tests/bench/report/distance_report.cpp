@@ -1,8 +1,8 @@
 // report_distance: seconds and error of every distance solver on one shape or volume, as JSON.
 //
 // Held fixed: the levels, the number of threads, the voxels that are judged and their true distances
-// (closest_distance.h). Each solver runs once to warm up, then --runs times. Handing the levels over in the library's
-// own form is not timed.
+// (closest_distance.h). Each solver runs once to warm up, then all take turns, --runs times, so that a busy minute of
+// the machine falls on all of them. Handing the levels over in the library's own form is not timed.
 #include <cmath>
 
 #include "src/cli/surface_options.h"
@@ -34,13 +34,24 @@ Grid<float> readLevel(const Options& options) {
   return std::move(surface.level);
 }
 
-nlohmann::ordered_json judge(const DistanceSolver& solver, int runs, const std::vector<JudgedVoxel>& voxels) {
-  const std::vector<double> seconds = timedRuns(runs, solver.solve);
+struct TimedSolver {
+  DistanceSolver solver;
+  std::vector<double> seconds;
+};
+
+void takeTurns(int runs, std::vector<TimedSolver>& solvers) {
+  for (const TimedSolver& timed : solvers) timed.solver.solve();
+  for (int run = 0; run < runs; ++run)
+    for (TimedSolver& timed : solvers) timed.seconds.push_back(secondsOf(timed.solver.solve));
+}
+
+nlohmann::ordered_json judge(const TimedSolver& timed, const std::vector<JudgedVoxel>& voxels) {
+  const DistanceSolver& solver = timed.solver;
   const DistanceError error = distanceError(voxels, solver);
   nlohmann::ordered_json judged{{"solver", solver.name},
                                 {"version", solver.version},
                                 {"call", solver.call},
-                                {"seconds", seconds},
+                                {"seconds", timed.seconds},
                                 {"mean_error", error.mean},
                                 {"max_error", error.max},
                                 {"mean_error_near", error.meanNear},
@@ -64,16 +75,18 @@ nlohmann::ordered_json work(const Options& options) {
                                 {"near", kNearVoxels}};
   report["solvers"] = nlohmann::ordered_json::array();
   report["gaps"] = nlohmann::ordered_json::array();
-  for (const DistanceSolver& solver : isolumeSolvers(level.view()))
-    report["solvers"].push_back(judge(solver, options.runs, voxels));
+  std::vector<TimedSolver> solvers;
+  for (DistanceSolver& solver : isolumeSolvers(level.view())) solvers.push_back({std::move(solver), {}});
   for (const auto& make :
        {openVdbSolver, +[](GridView<const float> view) { return itkMaurerSolver(view, threadCount()); }}) {
-    const SolverOrGap made = make(level.view());
+    SolverOrGap made = make(level.view());
     if (made.solver)
-      report["solvers"].push_back(judge(*made.solver, options.runs, voxels));
+      solvers.push_back({std::move(*made.solver), {}});
     else
       report["gaps"].push_back({{"solver", made.name}, {"reason", made.gap}});
   }
+  takeTurns(options.runs, solvers);
+  for (const TimedSolver& timed : solvers) report["solvers"].push_back(judge(timed, voxels));
   return report;
 }
 
