@@ -10,7 +10,7 @@ from .section import Plot, Row, Section, table
 from .stats import digits
 
 INTRODUCTION = """\
-Every estimator that reads the picture alone (`isolume render --occlusion NAME`, README: "Occlusion from the screen"),
+Every estimator that reads the picture alone (`isolume render --occlusion NAME`, [usage](usage.md)),
 by `report_screen` on {scenes}: {samples} samples per pixel unless said otherwise, radius a tenth of the
 solid's longest side, interleaved 4 x 4 and filtered, surface by the z-buffer or by the volume (`implicit`). Frames are
 {time} pixels with everything drawn anew, the median of {runs}; errors are those of {width} x {height} pixels over
