@@ -215,15 +215,17 @@ void sweepKind(const LatticeLayers& lattice, int towards, const std::vector<RayD
     readCarried<Kind>(lattice, towards, directions[k], step, rays[k], layer, points, points.begin(below),
                       points.begin(below + 1), tally);
   };
+  const RowRange rows = unionOf(points.rowsRead(), samples.rows);
   const int first = towards > 0 ? lattice.layers - 1 : 0, beyond = first + towards;
   // Points beyond the first layer have nothing before them, and see all light.
   for (std::size_t k = 0; k < directions.size(); ++k) readAt(beyond, k, stepInto(beyond, towards, directions[k]));
   for (int done = 0; done < lattice.layers; ++done) {
     const int layer = first - towards * done, slot = slotOf(layer), before = slotOf(layer + towards);
+    if (!points.anyFrom(layer, towards)) break;
     met.fill(layer, samples, values);
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const RayStep step = stepInto(layer, towards, directions[k]);
-      for (int r = 0; r < lattice.rows; ++r) {
+      for (int r = rows.begin; r < rows.end; ++r) {
         Kind::advanceRow(rays[k].row(r + step.shiftRow, before) + step.shiftBit, met.row(r), lattice.length,
                          rays[k].row(r, slot));
         rays[k].closeRow(r, slot);

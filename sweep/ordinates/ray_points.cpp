@@ -28,6 +28,24 @@ std::size_t kindOf(glm::vec3 normal, glm::vec3 cell) {
   return 1 + std::min(tilt, kTilts - 1) * kTurns + quarter * 3 + third;
 }
 
+// Along y (axis 1) or z (2), from the first with a solid point to the last.
+RowRange solidRows(const SolidLattice& lattice, int axis) {
+  const BitRows& bits = lattice.alongX;
+  const auto anyIn = [&](int row) {
+    const int first = axis == 2 ? row : 0, last = axis == 2 ? row : bits.layers - 1;
+    for (int z = first; z <= last; ++z) {
+      const std::uint64_t* begin = bits.row(axis == 2 ? 0 : row, z);
+      const std::ptrdiff_t words = static_cast<std::ptrdiff_t>(axis == 2 ? bits.rows : 1) * bits.words;
+      if (std::any_of(begin, begin + words, [](std::uint64_t word) { return word != 0; })) return true;
+    }
+    return false;
+  };
+  RowRange rows{0, lattice.size[axis]};
+  while (!rows.empty() && !anyIn(rows.begin)) ++rows.begin;
+  while (!rows.empty() && !anyIn(rows.end - 1)) --rows.end;
+  return rows;
+}
+
 }  // namespace
 
 RayPoints::RayPoints(std::size_t count)
@@ -76,6 +94,7 @@ void RayPoints::sort(const FootChunks& feet, const SolidLattice& lattice, glm::d
       begin += own;
     }
   }
+  std::vector<RowRange> rows(feet.chunks());
   parallelFor(feet.chunks(), [&](std::size_t chunk) {
     forEach(chunk, [&](std::size_t i, const SurfaceFoot& foot) {
       const std::size_t to = next[chunk][keyOfFoot[i]]++;
@@ -85,8 +104,15 @@ void RayPoints::sort(const FootChunks& feet, const SolidLattice& lattice, glm::d
         values(3 + k)[to] = normal[k];
       }
       feet_[to] = static_cast<std::uint32_t>(i);
+      const int row = static_cast<int>(std::floor(position.y));
+      rows[chunk] = unionOf(rows[chunk], {row, row + 1});
     });
   });
+  RowRange stoodIn;
+  for (const RowRange& each : rows) stoodIn = unionOf(stoodIn, each);
+  const RowRange all{0, lattice.size[axes.row]};
+  rowsRead_ =
+      unionOf(solidRows(lattice, axes.row), sharedBy({stoodIn.begin - kMostRowsOff, stoodIn.end + kMostRowsOff}, all));
 }
 
 }  // namespace isolume

@@ -1,7 +1,5 @@
 #include "sample_layers.h"
 
-#include "ray_points.h"
-
 namespace isolume {
 
 SampleLayers layersOfSamples(const std::vector<NearSample>& samples, glm::ivec3 size, int axis) {
@@ -18,6 +16,7 @@ SampleLayers layersOfSamples(const std::vector<NearSample>& samples, glm::ivec3 
     const std::size_t to = next[static_cast<std::size_t>(samples[i].at[axis])]++;
     layers.column[to] = static_cast<std::uint16_t>(samples[i].at[axes.bit]);
     layers.row[to] = static_cast<std::uint16_t>(samples[i].at[axes.row]);
+    layers.rows = unionOf(layers.rows, {samples[i].at[axes.row], samples[i].at[axes.row] + 1});
     layers.sample[to] = static_cast<std::uint32_t>(i);
   }
   return layers;

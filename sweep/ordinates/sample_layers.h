@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "surface_feet.h"
+#include "ray_points.h"
 
 namespace isolume {
 
@@ -14,6 +14,7 @@ struct SampleLayers {
   std::vector<std::uint32_t> begin;
   std::vector<std::uint16_t> column, row;  ///< of each sample, kRayAxes
   std::vector<std::uint32_t> sample;       ///< its number
+  RowRange rows;                           ///< that any of them lies in
 };
 
 /// In the order of the samples within each layer. 8 bytes per sample.

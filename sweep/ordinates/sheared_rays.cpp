@@ -28,16 +28,6 @@ inline constexpr int kBlockWords = 1024;
 /// Layers from one that is copied to one that is fetched into the cache.
 inline constexpr int kFetchedAhead = 2;
 
-/// Rows [begin, end); what is beyond is empty.
-struct RowRange {
-  int begin = 0, end = 0;
-  bool empty() const { return begin >= end; }
-};
-inline RowRange unionOf(RowRange a, RowRange b) {
-  if (a.empty()) return b;
-  return b.empty() ? a : RowRange{std::min(a.begin, b.begin), std::max(a.end, b.end)};
-}
-
 // B of one direction in the last kKeptLayers layers: rows of bits one after the other, between guard rows of zeros.
 // Rows end in zeros (BitRows): what a row takes in from the next or the one before is 0. Layers not yet swept are
 // zeros, and so are the rows outside those that a layer is said to meet anything in.
@@ -185,6 +175,7 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
     const int below = towards > 0 ? layer - 1 : layer;
     read(lattice, towards, directions, steps, rays, layer, points, points.begin(below), points.begin(below + 1), tally);
   };
+  const RowRange rowsRead = points.rowsRead();
   const int first = towards > 0 ? lattice.layers - 1 : 0;
   if (tally.visible) {
     // Those beyond the first layer have nothing before them.
@@ -193,6 +184,7 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
   }
   for (int done = 0; done < lattice.layers; ++done) {
     const int layer = first - towards * done;
+    if (!points.anyFrom(layer, towards)) break;
     const std::uint64_t* from = lattice.data + layer * lattice.layerStride;
     std::uint64_t* to = solid.get();
     RowRange solidRows;
@@ -207,9 +199,8 @@ void sweepRaysOnTarget(const LatticeLayers& lattice, int towards, const std::vec
       steps[k] = stepInto(layer, towards, directions[k]);
       // Rows that are open so far and stay so are left alone.
       const RowRange before = rays[k].met(layer + towards);
-      const RowRange carried{std::max(before.begin - steps[k].shiftRow, 0),
-                             std::min(before.end - steps[k].shiftRow, lattice.rows)};
-      met[k] = unionOf(solidRows, carried);
+      const RowRange carried{before.begin - steps[k].shiftRow, before.end - steps[k].shiftRow};
+      met[k] = sharedBy(unionOf(solidRows, carried), rowsRead);
       rays[k].setMet(layer, met[k]);
     }
     // By blocks of rows, which stay in a first cache for all directions.

@@ -54,7 +54,7 @@ struct RowLight {
   hn::Vec<D> last, twoAgo, below, belowTwoAgo;
   HWY_INLINE explicit RowLight(hn::Vec<D> all) : last(all), twoAgo(all), below(all), belowTwoAgo(all) {}
   template <bool kDiagonals>
-  HWY_INLINE hn::Vec<D> unlike(D d, hn::Vec<D> value) const {
+  HWY_INLINE hn::Vec<D> unlike([[maybe_unused]] D d, hn::Vec<D> value) const {
     auto other = hn::Xor(last, value);
     if constexpr (kDiagonals) {
       other = hn::Or(other, hn::Xor(twoAgo, value));

@@ -52,7 +52,7 @@ void giveValues(CarriedCase& made, GridView<const float> level, Kind kind, Rando
 
 // 1 to 70 points along each axis, at least one of the axes short; every fifth case has one point along an axis, and
 // every eleventh rows that just fill a vector.
-CarriedCase randomCase(int i, Kind kind) {
+CarriedCase randomCase(int i, Kind kind, bool gathered) {
   RandomNumbers numbers(static_cast<std::uint64_t>(i) * 2 + (kind == Kind::length ? 1 : 0));
   glm::ivec3 size(1 + numbers.below(70), 1 + numbers.below(70), 1 + numbers.below(20));
   if (i % 5 == 1) size.x = 1;
@@ -62,12 +62,14 @@ CarriedCase randomCase(int i, Kind kind) {
   made.spacing = i % 2 == 0 ? glm::dvec3(1, 0.7, 1.3) : glm::dvec3(0.5, 2, 1);
   made.axis = i % 3;
   made.towards = i / 3 % 2 == 0 ? 1 : -1;
-  const Grid<float> level = test::specks(size, 1 << (1 + numbers.below(4)), numbers);
-  made.lattice = makeSolidLattice(level.view(), insideSamples(level.view()), 1);
+  Grid<float> level = test::specks(size, 1 << (1 + numbers.below(gathered ? 1 : 4)), numbers);
   made.feet = test::randomFeet(size, 150 + numbers.below(20), numbers);
+  if (gathered) test::gather(level, made.feet, numbers);
+  const auto view = std::as_const(level).view();
+  made.lattice = makeSolidLattice(view, insideSamples(view), 1);
   made.directions = test::directionsAlong(made.axis, made.towards, 1 + numbers.below(6), numbers);
   for (RayDirection& each : made.directions) each.value[0] = static_cast<float>(numbers.uniform());
-  giveValues(made, level.view(), kind, numbers);
+  giveValues(made, view, kind, numbers);
   return made;
 }
 constexpr int kCases = 120;  // 3 axes and 2 senses, 20 of each
@@ -100,11 +102,11 @@ int expectPlainSums(const CarriedCase& given, Kind kind) {
   return nonzero;
 }
 
-int expectPlainSums(Kind kind, int step) {
+int expectPlainSums(Kind kind, int step, bool gathered = false) {
   int nonzero = 0;
   for (int i = 0; i < kCases; i += step) {
     SCOPED_TRACE(testing::Message() << "case " << i);
-    nonzero += expectPlainSums(randomCase(i, kind), kind);
+    nonzero += expectPlainSums(randomCase(i, kind, gathered), kind);
   }
   return nonzero;
 }
@@ -115,6 +117,12 @@ TEST(CarriedRays, NearestEqualsPlainRays) {
   const int nonzero = expectPlainSums(Kind::nearest, 1);
   EXPECT_GT(nonzero, kCases * 20);  // of about 160 points each: the comparison sees both outcomes
   EXPECT_LT(nonzero, kCases * 140);
+}
+
+TEST(CarriedRays, EqualPlainRaysWhereMostOfTheLatticeIsEmpty) {
+  // What is solid and the points fill small parts, apart from each other.
+  EXPECT_GT(expectPlainSums(Kind::nearest, 1, true), kCases);
+  expectPlainSums(Kind::length, 1, true);
 }
 
 TEST(CarriedRays, LengthEqualsPlainRays) {

@@ -25,16 +25,18 @@ struct RayCase {
   std::vector<RayDirection> directions;
 };
 
-RayCase randomCase(int i) {
+RayCase randomCase(int i, bool gathered = false) {
   // Rows that fill words, vectors and whole rows of 512 bits, or just not.
   constexpr glm::ivec3 kSizes[] = {{20, 17, 13}, {64, 9, 12}, {65, 40, 5}, {63, 64, 7},  {1, 30, 9},
                                    {30, 1, 1},   {2, 2, 2},   {511, 6, 9}, {512, 5, 20}, {7, 520, 4}};
   RandomNumbers numbers(static_cast<std::uint64_t>(i));
-  const glm::ivec3 size = kSizes[i % 10];
+  const glm::ivec3 size = gathered ? glm::ivec3(40, 50, 30) : kSizes[i % 10];
   RayCase made;
-  const Grid<float> level = test::specks(size, 1 << (1 + numbers.below(9)), numbers);
-  made.lattice = makeSolidLattice(level.view(), insideSamples(level.view()), 1);
+  Grid<float> level = test::specks(size, 1 << (1 + numbers.below(gathered ? 2 : 9)), numbers);
   made.feet = test::randomFeet(size, 300 + numbers.below(20), numbers);
+  if (gathered) test::gather(level, made.feet, numbers);
+  const auto view = std::as_const(level).view();
+  made.lattice = makeSolidLattice(view, insideSamples(view), 1);
   made.axis = i / 10 % 3;
   made.towards = i / 30 % 2 == 0 ? 1 : -1;
   made.directions = test::directionsAlong(made.axis, made.towards, 1 + numbers.below(kRayGroup), numbers);
@@ -106,6 +108,17 @@ TEST(ShearedRays, EqualPlainRays) {
   }
   EXPECT_GT(blocked, kCases * 20);  // of about 300 points each: the comparison sees both outcomes
   EXPECT_LT(blocked, kCases * 250);
+}
+
+TEST(ShearedRays, EqualPlainRaysWhereMostOfTheLatticeIsEmpty) {
+  // What is solid and the points fill small parts, apart from each other: rows and layers that are left alone hold
+  // nothing that a point asks for.
+  int blocked = 0;
+  for (int i = 0; i < kCases; ++i) {
+    SCOPED_TRACE(testing::Message() << "case " << i);
+    blocked += expectPlainSums(randomCase(i, true));
+  }
+  EXPECT_GT(blocked, kCases * 5);
 }
 
 // All numbers of channels, blocked and visible, for every `step`th case. Returns how many sums were not 0.
