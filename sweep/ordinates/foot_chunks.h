@@ -12,8 +12,9 @@ struct SurfaceFoot;
 
 struct FootChunks {
   std::vector<std::size_t> begin{0};  ///< number of the first foot of each chunk, and how many feet there are
-  /// Adds those of a chunk to `feet`; the same each time. Thread-safe.
-  std::function<void(std::size_t chunk, std::vector<SurfaceFoot>& feet)> add;
+  /// Those of a chunk, the same each time: where they are kept, or made in `room`, whose contents are lost.
+  /// Thread-safe.
+  std::function<const SurfaceFoot*(std::size_t chunk, std::vector<SurfaceFoot>& room)> feet;
 
   std::size_t chunks() const { return begin.size() - 1; }
   std::size_t count() const { return begin.back(); }

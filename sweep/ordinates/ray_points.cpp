@@ -72,10 +72,9 @@ void RayPoints::sort(const FootChunks& feet, const SolidLattice& lattice, glm::d
   const auto keyOfFoot = makeLargeArray<std::uint32_t>(feet.count());
   // visit(i, foot) for each of a chunk.
   const auto forEach = [&](std::size_t chunk, const auto& visit) {
-    std::vector<SurfaceFoot> own;
-    own.reserve(feet.begin[chunk + 1] - feet.begin[chunk]);
-    feet.add(chunk, own);
-    for (std::size_t i = 0; i < own.size(); ++i) visit(feet.begin[chunk] + i, own[i]);
+    std::vector<SurfaceFoot> room;
+    const SurfaceFoot* foot = feet.feet(chunk, room);
+    for (std::size_t i = feet.begin[chunk]; i < feet.begin[chunk + 1]; ++i) visit(i, *foot++);
   };
   parallelFor(feet.chunks(), [&](std::size_t chunk) {
     next[chunk].assign(keys, 0);

@@ -91,8 +91,11 @@ FootChunks SurfaceFeet::chunks() const {
   }
   first.push_back(parts);
   chunks.begin.push_back(count());
-  chunks.add = [this, first](std::size_t chunk, std::vector<SurfaceFoot>& feet) {
-    for (int part = first[chunk]; part < first[chunk + 1]; ++part) addPart(part, feet);
+  chunks.feet = [this, first, begin = chunks.begin](std::size_t chunk, std::vector<SurfaceFoot>& room) {
+    room.clear();
+    room.reserve(begin[chunk + 1] - begin[chunk]);
+    for (int part = first[chunk]; part < first[chunk + 1]; ++part) addPart(part, room);
+    return room.data();
   };
   return chunks;
 }
@@ -102,8 +105,7 @@ std::vector<SurfaceFoot> SurfaceFeet::feet() const {
   const FootChunks all = chunks();
   parallelFor(all.chunks(), [&](std::size_t chunk) {
     std::vector<SurfaceFoot> own;
-    all.add(chunk, own);
-    std::copy(own.begin(), own.end(), feet.begin() + static_cast<std::ptrdiff_t>(all.begin[chunk]));
+    std::copy_n(all.feet(chunk, own), all.begin[chunk + 1] - all.begin[chunk], feet.data() + all.begin[chunk]);
   });
   return feet;
 }

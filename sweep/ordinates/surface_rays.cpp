@@ -75,25 +75,19 @@ void SurfaceRays::keepFeet(std::size_t most) {
   const FootChunks all = surface_.chunks();
   keptChunks_ = 0;
   while (keptChunks_ < all.chunks() && all.begin[keptChunks_ + 1] <= most) ++keptChunks_;
-  feet_ = std::vector<SurfaceFoot>(all.begin[keptChunks_]);
+  feet_ = keptChunks_ == 0 ? nullptr : makeLargeArray<SurfaceFoot>(all.begin[keptChunks_]);
   parallelFor(keptChunks_, [&](std::size_t chunk) {
     std::vector<SurfaceFoot> own;
-    all.add(chunk, own);
-    std::copy(own.begin(), own.end(), feet_.begin() + static_cast<std::ptrdiff_t>(all.begin[chunk]));
+    std::copy_n(all.feet(chunk, own), all.begin[chunk + 1] - all.begin[chunk], feet_.get() + all.begin[chunk]);
   });
 }
 
 // As they are kept, or made each time.
 FootChunks SurfaceRays::chunks() const {
   FootChunks chunks = surface_.chunks();
-  chunks.add = [this, begin = chunks.begin, make = std::move(chunks.add)](std::size_t chunk,
-                                                                          std::vector<SurfaceFoot>& to) {
-    const auto at = [&](std::size_t i) { return feet_.begin() + static_cast<std::ptrdiff_t>(begin[i]); };
-    if (chunk < keptChunks_) {
-      to.insert(to.end(), at(chunk), at(chunk + 1));
-    } else {
-      make(chunk, to);
-    }
+  chunks.feet = [this, begin = chunks.begin, make = std::move(chunks.feet)](std::size_t chunk,
+                                                                            std::vector<SurfaceFoot>& room) {
+    return chunk < keptChunks_ ? feet_.get() + begin[chunk] : make(chunk, room);
   };
   return chunks;
 }

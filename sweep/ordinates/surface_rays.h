@@ -16,6 +16,7 @@
 #include "sheared_rays.h"
 #include "solid_lattice.h"
 #include "surface_feet.h"
+#include "sweep/large_array.h"
 
 namespace isolume {
 
@@ -73,8 +74,8 @@ class SurfaceRays {
   glm::dvec3 spacing_;
   SurfaceFeet surface_;
   SolidLattice lattice_;
-  std::vector<RayPoints> kept_;  // by axis
-  std::vector<SurfaceFoot> feet_;  // of the first chunks
+  std::vector<RayPoints> kept_;   // by axis
+  LargeArray<SurfaceFoot> feet_;  // of the first chunks
   std::size_t keptChunks_ = 0;
 };
 

@@ -55,9 +55,8 @@ inline FootChunks chunksOf(const std::vector<SurfaceFoot>& feet) {
   FootChunks chunks;
   for (std::size_t begin = kChunk; begin < feet.size(); begin += kChunk) chunks.begin.push_back(begin);
   chunks.begin.push_back(feet.size());
-  chunks.add = [&feet, begin = chunks.begin](std::size_t chunk, std::vector<SurfaceFoot>& to) {
-    const auto at = [&](std::size_t i) { return feet.begin() + static_cast<std::ptrdiff_t>(begin[i]); };
-    to.insert(to.end(), at(chunk), at(chunk + 1));
+  chunks.feet = [&feet, begin = chunks.begin](std::size_t chunk, std::vector<SurfaceFoot>&) {
+    return feet.data() + begin[chunk];
   };
   return chunks;
 }
