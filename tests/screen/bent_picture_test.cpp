@@ -1,29 +1,22 @@
 // Pictures lighted by bent normals and cones, on the GPU.
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 
-#include "gl/gl_scene.h"
 #include "raymarch/gpu_error.h"
 #include "raymarch/screen/sky_convolution.h"
+#include "screen/screen_pictures.h"
 
 namespace isolume::test {
 namespace {
 
-constexpr double kRadius = 8;  // voxels, spacing 1
 const std::array kSources{BentSource::crytek2d, BentSource::crytek3d, BentSource::hbao};
 
 RenderSettings bentSettings(BentSource source, BentLight light, std::shared_ptr<const SkyCube> sky) {
-  RenderSettings settings = layerSettings(160, 128);
-  settings.screen = ScreenOcclusion{.estimator = ScreenEstimator::klehm11,
-                                    .radiusWorld = kRadius,
-                                    .samples = 16,
-                                    .bentFrom = source,
-                                    .bent = light,
-                                    .sky = std::move(sky)};
+  RenderSettings settings = screenSettings(ScreenEstimator::klehm11, {160, 128});
+  settings.screen->bentFrom = source;
+  settings.screen->bent = light;
+  settings.screen->sky = std::move(sky);
   return settings;
 }
 
@@ -48,30 +41,25 @@ std::shared_ptr<const SkyCube> linearSky() {
   return sky;
 }
 
-/// A floor below z = 20.3 and a wall beyond x = 40.6.
-constexpr double kFloorHeight = 20.3, kWallX = 40.6;
-GlScene makeRoom() {
-  return makeScene({64, 64, 64}, glm::dvec3(1),
-                   [](glm::dvec3 p) { return std::min(p.z - kFloorHeight, kWallX - p.x); });
+/// Root mean square distance of a frame's light from 1 + (2/3) N along the grid's axes, on the solid.
+double offLinearSky(const Frame& frame, const GlScene& scene) {
+  const glm::dmat3 axesFromWorld = glm::transpose(glm::dmat3(scene.worldFromGrid));
+  Differences differences;
+  for (std::size_t i = 0; i < frame.light.size(); ++i)
+    if (std::isfinite(frame.depth[i])) {
+      const glm::dvec3 want = 1.0 + 2.0 / 3 * (axesFromWorld * glm::dvec3(frame.normal[i]));
+      differences.add(glm::distance(glm::dvec3(frame.light[i]), want));
+    }
+  EXPECT_GT(differences.count, 2000);
+  return differences.rms();
 }
-Camera roomCamera(double roll = 0) {
-  Camera camera;
-  camera.target = {36, 32, 22};
-  camera.eye = camera.target + glm::dvec3(-60, -50, 70);
-  camera.rollDegrees = roll;
-  camera.fovDegrees = 20;
-  return camera;
+GlScene makeTurnedBall() {
+  GlScene ball = makeSphere();
+  ball.worldFromGrid = glm::rotate(glm::dmat4(1), 0.8, glm::normalize(glm::dvec3(1, -2, 0.5)));
+  return ball;
 }
 
-class BentPictures : public ::testing::Test {
- protected:
-  Frame draw(const GlScene& scene, const Camera& camera, const RenderSettings& settings) {
-    renderer_.upload(scene.fields());
-    return renderer_.render(camera, settings);
-  }
-  std::unique_ptr<Context> context_ = makeContext("osmesa");
-  Renderer renderer_{*context_};
-};
+using BentPictures = ScreenPictures;
 
 TEST_F(BentPictures, EvenSkyIsOpenness) {
   // Under an even white sky, given or not, every lookup shows the openness alone: to rounding the picture without bent
@@ -81,7 +69,7 @@ TEST_F(BentPictures, EvenSkyIsOpenness) {
     const Frame plain = draw(room, roomCamera(), bentSettings(source, BentLight::none, nullptr));
     for (const BentLight light : {BentLight::none, BentLight::normal, BentLight::cone, BentLight::cap}) {
       const Frame same = draw(room, roomCamera(), bentSettings(source, light, nullptr));
-      EXPECT_EQ(std::memcmp(plain.light.data(), same.light.data(), plain.light.size() * sizeof(glm::vec3)), 0);
+      EXPECT_TRUE(sameBits(plain.light, same.light));
       const Frame given = draw(room, roomCamera(), bentSettings(source, light, evenSky({1, 0.5f, 2})));
       for (std::size_t i = 0; i < plain.light.size(); ++i) {
         if (!std::isfinite(plain.depth[i])) continue;
@@ -95,46 +83,25 @@ TEST_F(BentPictures, EvenSkyIsOpenness) {
 TEST_F(BentPictures, ConvexSolidReceivesWhatItsNormalSays) {
   // A ball occludes nothing of itself: under a sky that is linear in the direction along the grid's axes each pixel has
   // 1 + (2/3) N, however the grid lies in the world. Tolerance: texels of 2.8 degrees, and the voxels of the ball.
-  GlScene ball = makeSphere();
-  ball.worldFromGrid = glm::rotate(glm::dmat4(1), 0.8, glm::normalize(glm::dvec3(1, -2, 0.5)));
-  const glm::dmat3 axesFromWorld = glm::transpose(glm::dmat3(ball.worldFromGrid));
+  const GlScene ball = makeTurnedBall();
   for (const BentSource source : kSources)
     for (const BentLight light : {BentLight::none, BentLight::normal, BentLight::cone}) {
       RenderSettings settings = bentSettings(source, light, linearSky());
       settings.screen->radiusWorld = 3;
-      const Frame frame = draw(ball, frameScene(ball), settings);
-      double squares = 0, count = 0;
-      for (std::size_t i = 0; i < frame.light.size(); ++i) {
-        if (!std::isfinite(frame.depth[i])) continue;
-        const glm::dvec3 want = 1.0 + 2.0 / 3 * (axesFromWorld * glm::dvec3(frame.normal[i]));
-        squares += glm::dot(glm::dvec3(frame.light[i]) - want, glm::dvec3(frame.light[i]) - want);
-        count += 1;
-      }
-      ASSERT_GT(count, 2000);
-      EXPECT_LT(std::sqrt(squares / count), 0.02) << bentSourceName(source) << bentLightName(light);
+      EXPECT_LT(offLinearSky(draw(ball, frameScene(ball), settings), ball), 0.02)
+          << bentSourceName(source) << bentLightName(light);
     }
 }
 
 TEST_F(BentPictures, SumsOverDirectionsReceiveTheSame) {
   // On the ball ssdo and importance sampling add up to 1 + (2/3) N as well, to three percent with 64 samples.
-  GlScene ball = makeSphere();
-  ball.worldFromGrid = glm::rotate(glm::dmat4(1), 0.8, glm::normalize(glm::dvec3(1, -2, 0.5)));
-  const glm::dmat3 axesFromWorld = glm::transpose(glm::dmat3(ball.worldFromGrid));
+  const GlScene ball = makeTurnedBall();
   for (const ScreenEstimator estimator : {ScreenEstimator::ssdo, ScreenEstimator::envImportance}) {
     RenderSettings settings = bentSettings(BentSource::hbao, BentLight::none, linearSky());
     settings.screen->estimator = estimator;
     settings.screen->radiusWorld = 3;
     settings.screen->samples = 64;
-    const Frame frame = draw(ball, frameScene(ball), settings);
-    double squares = 0, count = 0;
-    for (std::size_t i = 0; i < frame.light.size(); ++i) {
-      if (!std::isfinite(frame.depth[i])) continue;
-      const glm::dvec3 want = 1.0 + 2.0 / 3 * (axesFromWorld * glm::dvec3(frame.normal[i]));
-      squares += glm::dot(glm::dvec3(frame.light[i]) - want, glm::dvec3(frame.light[i]) - want);
-      count += 1;
-    }
-    ASSERT_GT(count, 2000);
-    EXPECT_LT(std::sqrt(squares / count), 0.03) << screenEstimatorName(estimator);
+    EXPECT_LT(offLinearSky(draw(ball, frameScene(ball), settings), ball), 0.03) << screenEstimatorName(estimator);
   }
 }
 
@@ -157,22 +124,17 @@ TEST_F(BentPictures, FloorBeforeAWallLooksAway) {
   RenderSettings settings = bentSettings(BentSource::crytek3d, BentLight::normal, linearSky());
   settings.screen->samples = 64;
   const Frame frame = draw(room, roomCamera(), settings);
-  double squares = 0, count = 0, lean = 0;
-  for (std::size_t i = 0; i < frame.light.size(); ++i) {
-    const int x = static_cast<int>(i) % frame.size.x, y = static_cast<int>(i) / frame.size.x;
-    const int border = std::min({x, y, frame.size.x - 1 - x, frame.size.y - 1 - y});
-    const double a = (kWallX - frame.position[i].x) / kRadius;
-    if (border < frame.size.x / 5 || frame.normal[i].z < 0.999 || a < 0.2) continue;
+  Differences differences;
+  double lean = 0;
+  forFloorPixels(frame, [&](std::size_t i, double a) {
     const glm::dvec4 bend = bendBeforeWall(a);
     const glm::dvec3 mean = glm::normalize(glm::dvec3(bend) / bend.w + glm::dvec3(0, 0, 0.5));
-    const glm::dvec3 want = bend.w * (1.0 + 2.0 / 3 * mean);
-    squares += glm::dot(glm::dvec3(frame.light[i]) - want, glm::dvec3(frame.light[i]) - want);
+    differences.add(glm::distance(glm::dvec3(frame.light[i]), bend.w * (1.0 + 2.0 / 3 * mean)));
     lean = std::min(lean, mean.x);
-    count += 1;
-  }
-  ASSERT_GT(count, 1000);
+  });
+  ASSERT_GT(differences.count, 1000);
   EXPECT_LT(lean, -0.3);
-  EXPECT_LT(std::sqrt(squares / count), 0.03);
+  EXPECT_LT(differences.rms(), 0.03);
 }
 
 TEST_F(BentPictures, FilterKeepsNormals) {
@@ -205,16 +167,15 @@ TEST_F(BentPictures, RollTurnsThePicture) {
     settings.size = {kSide, kSide};
     settings.screen->samples = 64;
     const Frame upright = draw(room, roomCamera(), settings), rolled = draw(room, roomCamera(90), settings);
-    double squares = 0, count = 0;
+    Differences differences;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
         const auto from = static_cast<std::size_t>(y * kSide + x);
         const auto to = static_cast<std::size_t>((kSide - 1 - x) * kSide + y);
         if (!std::isfinite(upright.depth[from])) continue;
-        squares += std::pow(glm::distance(upright.light[from], rolled.light[to]), 2);
-        count += 1;
+        differences.add(glm::distance(upright.light[from], rolled.light[to]));
       }
-    EXPECT_LT(std::sqrt(squares / count), 0.025 * std::sqrt(3)) << bentSourceName(source);
+    EXPECT_LT(differences.rms(), 0.025 * std::sqrt(3)) << bentSourceName(source);
   }
 }
 
@@ -232,7 +193,7 @@ TEST_F(BentPictures, SkiesAndLookupsDoNotMix) {
     }
   draw(room, roomCamera(), bentSettings(BentSource::hbao, BentLight::cone, nullptr));
   const Frame again = draw(room, roomCamera(), settings);
-  EXPECT_EQ(std::memcmp(first.light.data(), again.light.data(), first.light.size() * sizeof(glm::vec3)), 0);
+  EXPECT_TRUE(sameBits(first.light, again.light));
 }
 
 TEST_F(BentPictures, SettingsThatCannotBeDrawn) {

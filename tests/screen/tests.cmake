@@ -5,6 +5,8 @@ isolume_test(test_screen
   ${screen}/closed_form_test.cpp
   ${screen}/estimate.cpp
   ${screen}/orderings_test.cpp
+  ${screen}/picture_light_test.cpp
+  ${screen}/picture_settings_test.cpp
   ${screen}/picture_test.cpp
   ${screen}/point_sets_test.cpp
   ${screen}/sky_light_test.cpp
