@@ -6,8 +6,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "sweep/geometry_terms.h"
 #include "sweep/octants.h"
+#include "sweep/octants/geometry_terms.h"
 
 namespace isolume {
 namespace shader {

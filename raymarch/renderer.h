@@ -14,9 +14,9 @@
 #include "context.h"
 #include "light_field.h"
 #include "screen/screen_occlusion.h"
-#include "sweep/geometry_terms.h"
 #include "sweep/grid.h"
 #include "sweep/octants.h"
+#include "sweep/octants/geometry_terms.h"
 
 namespace isolume {
 
@@ -50,8 +50,8 @@ struct RenderSettings {
   NormalSource normals = NormalSource::data;
   float occlusionOffsetVoxels =
       0;  ///< octants are read that far above the hit along the normal, index space; 0 is [Singh10]
-  /// Octants: G_s divided by what the eight give on an open plane, read at that offset (sweep/open_plane.h). For
-  /// `front` terms of an opaque solid.
+  /// Octants: G_s divided by what the eight give on an open plane, read at that offset (sweep/octants/open_plane.h).
+  /// For `front` terms of an opaque solid.
   bool openPlaneTerms = false;
   /// I_s, linear, finite, >= 0, by octant of sweep/octants.h (grid axes). The four with towardsLight().z > 0 alone are
   /// a cloudy day ([Singh10] Fig. 7). They and the geometry term change at the cost of a frame.

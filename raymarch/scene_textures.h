@@ -4,7 +4,7 @@
 #include "gl_objects.h"
 #include "renderer.h"
 #include "surface_colors.h"
-#include "sweep/open_plane.h"
+#include "sweep/octants/open_plane.h"
 #include "view.h"
 
 namespace isolume {

@@ -1,7 +1,7 @@
 #include "near_sets.h"
 
+#include "godunov/surface_start.h"
 #include "parallel.h"
-#include "surface_start.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/near_sets.cpp"

@@ -6,14 +6,14 @@
 #include <limits>
 #include <utility>
 
-#include "band_spans.h"
 #include "closest/closest_distance.h"
-#include "distance_sweeper.h"
-#include "fixed_light_sweeper.h"
-#include "light_sweeper.h"
+#include "godunov/band_spans.h"
+#include "godunov/distance_sweeper.h"
+#include "godunov/surface_start.h"
 #include "near_sets.h"
+#include "octants/fixed_light_sweeper.h"
+#include "octants/light_sweeper.h"
 #include "parallel.h"
-#include "surface_start.h"
 
 namespace isolume {
 namespace {
@@ -139,8 +139,8 @@ SweptFields sweepOcclusion(GridView<const float> level, const SweepOptions& opti
   SweptFields fields;
   const bool whole = options.extent == DistanceExtent::full;
   if (options.solver == DistanceSolver::closest)
-    fields.distance = closestDistance(
-        level, {.extent = options.extent, .bandVoxels = whole ? kWholeBandVoxels : options.bandVoxels});
+    fields.distance =
+        closestDistance(level, {.extent = options.extent, .bandVoxels = whole ? kWholeBandVoxels : options.bandVoxels});
   else if (options.extent == DistanceExtent::band)
     fields.distance = sweepBand(level, options);
   else

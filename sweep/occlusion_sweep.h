@@ -44,9 +44,9 @@
 #include <glm/gtc/type_precision.hpp>
 
 #include "distance_extent.h"
+#include "godunov/surface_start.h"
 #include "grid.h"
 #include "octants.h"
-#include "surface_start.h"
 
 namespace isolume {
 

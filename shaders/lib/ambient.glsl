@@ -1,9 +1,9 @@
 // E / pi = sum_s I_s V_s G_s(N) / pi, the light of the octants at a surface point ([Singh10] Eq. 3 and 4, normalised: an
 // open point under octants of light 1 gives 1, and this is its openness).
 
-// Where the geometry terms of a unit normal stand in the two tables of size x size texels (sweep/geometry_terms.h):
-// texture coordinates of r = N.xy / sqrt(1 + |N.z|), |r|^2 = 1 - |N.z|, with r = -1 and 1 at the centres of the first and
-// last texel; and whether the tables change places (N.z < 0).
+// Where the geometry terms of a unit normal stand in the two tables of size x size texels
+// (sweep/octants/geometry_terms.h): texture coordinates of r = N.xy / sqrt(1 + |N.z|), |r|^2 = 1 - |N.z|, with r = -1
+// and 1 at the centres of the first and last texel; and whether the tables change places (N.z < 0).
 struct GeometryAddress {
   vec2 uv;
   bool swapped;

@@ -15,10 +15,10 @@
 #include "src/errors.h"
 #include "src/jobs/color.h"
 #include "src/jobs/environment_map.h"
+#include "sweep/octants/rotated_shadow.h"
 #include "sweep/ordinates/inter_reflection.h"
 #include "sweep/ordinates/sky_ordinates.h"
 #include "sweep/ordinates/translucency.h"
-#include "sweep/rotated_shadow.h"
 #include "sweep/transport/transport_sweep.h"
 
 namespace isolume {

@@ -49,7 +49,7 @@ struct OcclusionSetting {
   OcclusionMethod method = OcclusionMethod::ordinates;
   OrdinateOptions ordinates;
   double offset = 0;                          ///< of octants, voxels
-  bool openPlane = false;                     ///< of octants, sweep/open_plane.h
+  bool openPlane = false;                     ///< of octants, sweep/octants/open_plane.h
   std::optional<TransportOptions> transport;  ///< with ordinates: in place of rays, and as many
   std::optional<double> error;                ///< calibrated, if the setting was
 };

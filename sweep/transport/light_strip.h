@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sweep/fixed_light.h"
+#include "sweep/octants/fixed_light.h"
 
 namespace isolume {
 

@@ -1,6 +1,6 @@
 #include "place_reader.h"
 
-#include "sweep/fixed_light.h"
+#include "sweep/octants/fixed_light.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sweep/transport/place_reader.cpp"

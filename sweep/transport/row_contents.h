@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "sweep/column_shear.h"
 #include "sweep/grid.h"
+#include "sweep/octants/column_shear.h"
 
 namespace isolume {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "sweep/fixed_light.h"
+#include "sweep/octants/fixed_light.h"
 
 namespace isolume {
 namespace {

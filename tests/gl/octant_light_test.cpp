@@ -119,7 +119,8 @@ TEST(OctantLight, CombinedIsDrawnAsAField) {
     double mean = 0;
     for (const Grid<float>& octant : octants.visibility.octants)
       mean += trilinear(octant.view(), glm::dvec3(frame.position[i])) / kOctantCount;
-    // The sweep in 16-bit lanes is off by 11 steps at most (sweep/fixed_light_sweeper.h); a 12th for the texture.
+    // The sweep in 16-bit lanes is off by 11 steps at most (sweep/octants/fixed_light_sweeper.h); a 12th for the
+    // texture.
     ASSERT_NEAR(frame.light[i].x, mean, 12.0 / 65535);
   }
   EXPECT_GT(hits, 200);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <random>
 
-#include "sweep/geometry_terms.h"
+#include "sweep/octants/geometry_terms.h"
 
 namespace isolume {
 namespace glsl {

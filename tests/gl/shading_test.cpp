@@ -7,8 +7,8 @@
 #include "gl/gl_scene.h"
 #include "raymarch/gpu_error.h"
 #include "support/random_numbers.h"
-#include "sweep/geometry_terms.h"
 #include "sweep/occlusion_sweep.h"
+#include "sweep/octants/geometry_terms.h"
 #include "sweep/ordinates/openness_sweep.h"
 
 namespace isolume::test {

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "support/random_numbers.h"
-#include "sweep/geometry_terms.h"
+#include "sweep/octants/geometry_terms.h"
 #include "sweep/ordinates/ordinate_set.h"
 #include "sweep/reference/environment.h"
 

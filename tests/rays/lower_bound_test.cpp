@@ -1,5 +1,5 @@
 // Bounds of the distance against the distance itself: they must never be above it.
-#include "sweep/lower_bound.h"
+#include "sweep/bounds/lower_bound.h"
 
 #include <gtest/gtest.h>
 

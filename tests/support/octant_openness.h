@@ -4,8 +4,8 @@
 #include <glm/common.hpp>
 #include <numbers>
 
-#include "sweep/geometry_terms.h"
 #include "sweep/occlusion_sweep.h"
+#include "sweep/octants/geometry_terms.h"
 
 namespace isolume::test {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sweep/surface_start.h"
+#include "sweep/godunov/surface_start.h"
 
 namespace isolume::test {
 namespace {

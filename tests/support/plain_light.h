@@ -16,7 +16,7 @@ float plainTransmittance(float distance, float opacity = 1);
 /// V of the octant swept in direction `sign`, in float, through given distances in world units.
 std::vector<float> plainLight(GridView<const float> distance, glm::ivec3 sign, float opacity = 1);
 
-/// The same in the 15 bits of sweep/fixed_light.h.
+/// The same in the 15 bits of sweep/octants/fixed_light.h.
 std::vector<std::int16_t> plainFixedLight(GridView<const float> distance, glm::ivec3 sign, float opacity = 1);
 
 }  // namespace isolume::test

@@ -1,5 +1,5 @@
-// The better start value (sweep/better_start.h) for one sample at a time: what the vectorised form must equal bit for
-// bit.
+// The better start value (sweep/godunov/better_start.h) for one sample at a time: what the vectorised form must equal
+// bit for bit.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "sweep/godunov/surface_start.h"
 #include "sweep/grid.h"
 #include "sweep/octants.h"
-#include "sweep/surface_start.h"
 
 namespace isolume::test {
 

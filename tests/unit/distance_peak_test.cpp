@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "support/test_levels.h"
-#include "sweep/distance_sweeper.h"
+#include "sweep/godunov/distance_sweeper.h"
+#include "sweep/godunov/surface_start.h"
 #include "sweep/occlusion_sweep.h"
-#include "sweep/surface_start.h"
 
 namespace isolume {
 namespace {

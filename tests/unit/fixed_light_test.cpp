@@ -10,8 +10,8 @@
 #include "support/plain_light.h"
 #include "support/simd_targets.h"
 #include "support/test_levels.h"
-#include "sweep/fixed_light.h"
 #include "sweep/occlusion_sweep.h"
+#include "sweep/octants/fixed_light.h"
 #include "sweep/parallel.h"
 
 namespace isolume {

@@ -1,4 +1,4 @@
-#include "sweep/geometry_terms.h"
+#include "sweep/octants/geometry_terms.h"
 
 #include <gtest/gtest.h>
 

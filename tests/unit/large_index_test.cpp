@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "sweep/godunov/tile_handover.h"
+#include "sweep/godunov/tile_io.h"
+#include "sweep/godunov/wavefront.h"
 #include "sweep/occlusion_sweep.h"
-#include "sweep/tile_handover.h"
-#include "sweep/tile_io.h"
-#include "sweep/wavefront.h"
 
 namespace isolume {
 namespace {

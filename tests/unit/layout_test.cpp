@@ -9,9 +9,9 @@
 #include "support/plain_sweep.h"
 #include "support/simd_targets.h"
 #include "support/test_levels.h"
+#include "sweep/godunov/sweep_tile.h"
 #include "sweep/occlusion_sweep.h"
 #include "sweep/parallel.h"
-#include "sweep/sweep_tile.h"
 
 namespace isolume {
 namespace {

@@ -1,5 +1,5 @@
 // Octants divided by what they give on an open plane.
-#include "sweep/open_plane.h"
+#include "sweep/octants/open_plane.h"
 
 #include <gtest/gtest.h>
 

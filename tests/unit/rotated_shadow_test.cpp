@@ -1,5 +1,5 @@
 // The shadow of a light from any direction, swept on a turned grid.
-#include "sweep/rotated_shadow.h"
+#include "sweep/octants/rotated_shadow.h"
 
 #include <gtest/gtest.h>
 

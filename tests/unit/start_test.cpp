@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 
 #include "support/test_levels.h"
-#include "sweep/surface_start.h"
+#include "sweep/godunov/surface_start.h"
 
 namespace isolume {
 namespace {

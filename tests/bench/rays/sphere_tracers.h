@@ -15,7 +15,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 
-#include "sweep/lower_bound.h"
+#include "sweep/bounds/lower_bound.h"
 #include "sweep/reference/grid_ray.h"
 #include "tests/bench/rays/traced_ray.h"
 

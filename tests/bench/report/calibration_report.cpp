@@ -10,7 +10,7 @@
 
 #include "sweep/level.h"
 #include "sweep/occlusion_sweep.h"
-#include "sweep/open_plane.h"
+#include "sweep/octants/open_plane.h"
 #include "sweep/ordinates/openness_sweep.h"
 #include "sweep/parallel.h"
 #include "sweep/reference/reference.h"

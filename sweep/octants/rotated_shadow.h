@@ -17,7 +17,7 @@
 
 #include <cstdint>
 
-#include "grid.h"
+#include "sweep/grid.h"
 
 namespace isolume {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "large_array.h"
+#include "sweep/large_array.h"
 #include "wavefront.h"
 
 namespace isolume {

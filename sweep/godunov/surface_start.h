@@ -8,7 +8,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "grid.h"
+#include "sweep/grid.h"
 
 namespace isolume {
 

@@ -18,7 +18,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "grid.h"
+#include "sweep/grid.h"
 
 namespace isolume {
 

@@ -3,9 +3,9 @@
 #include <limits>
 #include <vector>
 
-#include "half.h"
 #include "lower_bound.h"
-#include "parallel.h"
+#include "sweep/half.h"
+#include "sweep/parallel.h"
 
 namespace isolume {
 namespace {

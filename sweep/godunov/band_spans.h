@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "bit_grid.h"
+#include "sweep/bit_grid.h"
 #include "wavefront.h"
 
 namespace isolume {

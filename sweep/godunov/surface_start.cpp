@@ -4,13 +4,13 @@
 #include <glm/vec3.hpp>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sweep/surface_start.cpp"
+#define HWY_TARGET_INCLUDE "sweep/godunov/surface_start.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include "better_start.h"
-#include "parallel.h"
 #include "surface_row.h"
+#include "sweep/parallel.h"
 
 #ifndef ISOLUME_SURFACE_START_ROW
 #define ISOLUME_SURFACE_START_ROW

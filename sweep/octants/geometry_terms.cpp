@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "parallel.h"
+#include "sweep/parallel.h"
 
 namespace isolume {
 namespace {

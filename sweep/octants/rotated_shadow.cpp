@@ -13,9 +13,9 @@
 #include <utility>
 
 #include "light_sweeper.h"
-#include "octants.h"
-#include "parallel.h"
-#include "trilinear.h"
+#include "sweep/octants.h"
+#include "sweep/parallel.h"
+#include "sweep/trilinear.h"
 
 namespace isolume {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "parallel.h"
+#include "sweep/parallel.h"
 
 namespace isolume {
 namespace {

@@ -2,7 +2,7 @@
 // layout of sweep_tile.h.
 #pragma once
 
-#include "sweep_tile.h"
+#include "sweep/godunov/sweep_tile.h"
 
 namespace isolume {
 

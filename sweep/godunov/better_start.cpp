@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sweep/better_start.cpp"
+#define HWY_TARGET_INCLUDE "sweep/godunov/better_start.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

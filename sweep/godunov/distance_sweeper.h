@@ -13,7 +13,7 @@
 #include <functional>
 #include <vector>
 
-#include "grid.h"
+#include "sweep/grid.h"
 #include "sweep_tile.h"
 #include "tile_handover.h"
 #include "wavefront.h"

@@ -8,7 +8,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "octants.h"
+#include "sweep/octants.h"
 
 namespace isolume {
 
@@ -19,8 +19,8 @@ enum class GeometryTerm {
 };
 
 /// G_s(N) for unit N and octant s of kOctants (directions `towardsLight`), closed form: Lambert's formula for the
-/// octant clipped at the horizon of N; of both sides G_s(N) + G_s(-N), G_s those of the front. In [0, pi]; the eight sum
-/// to pi, so that sum V_s G_s / pi of an open point is 1; of both sides to 2 pi. Exact to rounding (about 1e-15).
+/// octant clipped at the horizon of N; of both sides G_s(N) + G_s(-N), G_s those of the front. In [0, pi]; the eight
+/// sum to pi, so that sum V_s G_s / pi of an open point is 1; of both sides to 2 pi. Exact to rounding (about 1e-15).
 double octantGeometryTerm(int octant, glm::dvec3 normal, GeometryTerm term = GeometryTerm::front);
 
 /// G of the octants 0 to 3 (which are those with towardsLight.z < 0) and 4 to 7, for normals with N.z >= 0; for

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sweep/fixed_light.cpp"
+#define HWY_TARGET_INCLUDE "sweep/octants/fixed_light.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

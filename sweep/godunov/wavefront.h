@@ -10,7 +10,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 
-#include "octants.h"
+#include "sweep/octants.h"
 #include "sweep_tile.h"
 #include "tile_io.h"
 

@@ -31,7 +31,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "grid.h"
+#include "sweep/grid.h"
 
 namespace isolume {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "light_tile.h"
-#include "parallel.h"
+#include "sweep/parallel.h"
 
 namespace isolume {
 namespace {

@@ -14,10 +14,10 @@
 #include <functional>
 #include <vector>
 
-#include "grid.h"
-#include "tile_handover.h"
-#include "tile_io.h"
-#include "wavefront.h"
+#include "sweep/godunov/tile_handover.h"
+#include "sweep/godunov/tile_io.h"
+#include "sweep/godunov/wavefront.h"
+#include "sweep/grid.h"
 
 namespace isolume {
 

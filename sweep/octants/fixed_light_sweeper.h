@@ -10,9 +10,9 @@
 //
 // Blocks of one transmittance (a column of a layer in kSegment rows) are found by the walk that comes there first; the
 // other does not read their distances again. They are not laid in diagonals, what stays full or dark is not swept
-// (fixed_light.h), and where both octants of a diagonal leave it, nothing is laid back in rows. Of the segments of ball,
-// corner, gyroid and capsules at 250^3, 32 lanes, .87, .54, .66 and .80 have one transmittance, and .66, .56, .39 and
-// .31 of an octant's are full or dark throughout.
+// (fixed_light.h), and where both octants of a diagonal leave it, nothing is laid back in rows. Of the segments of
+// ball, corner, gyroid and capsules at 250^3, 32 lanes, .87, .54, .66 and .80 have one transmittance, and .66, .56, .39
+// and .31 of an octant's are full or dark throughout.
 //
 // Against the sweep in float (corner, gyroid and capsules at 128^3 and 250^3, all octants): V is .0007 off at most
 // beside the bytes' half step, 3e-5 on average with its sign; 1.4 % of the bytes are another, by one step. Means are 11
@@ -27,8 +27,8 @@
 #include <cstdint>
 #include <glm/gtc/type_precision.hpp>
 
-#include "grid.h"
-#include "octants.h"
+#include "sweep/grid.h"
+#include "sweep/octants.h"
 
 namespace isolume {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "parallel.h"
+#include "sweep/parallel.h"
 
 namespace isolume {
 

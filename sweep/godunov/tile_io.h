@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "grid.h"
-#include "octants.h"
+#include "sweep/grid.h"
+#include "sweep/octants.h"
 #include "sweep_tile.h"
 
 namespace isolume {

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sweep/sweep_tile.cpp"
+#define HWY_TARGET_INCLUDE "sweep/godunov/sweep_tile.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "grid.h"
-#include "octants.h"
-#include "parallel.h"
+#include "sweep/grid.h"
+#include "sweep/octants.h"
+#include "sweep/parallel.h"
 
 namespace isolume {
 namespace {

@@ -1,11 +1,11 @@
 #include "light_tile.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sweep/light_tile.cpp"
+#define HWY_TARGET_INCLUDE "sweep/octants/light_tile.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "surface_start.h"
+#include "sweep/godunov/surface_start.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace isolume::HWY_NAMESPACE {

@@ -7,8 +7,8 @@
 
 #include "column_shear.h"
 #include "fixed_light.h"
-#include "large_array.h"
-#include "parallel.h"
+#include "sweep/large_array.h"
+#include "sweep/parallel.h"
 
 namespace isolume {
 namespace {
