@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <limits>
 #include <new>
 #include <stdexcept>
 #include <utility>
 
 #include "beams.h"
+#include "check_settings.h"
+#include "frame_layers.h"
 #include "frame_uniforms.h"
 #include "framebuffer.h"
+#include "geometry_textures.h"
 #include "gl_check.h"
 #include "gpu_error.h"
 #include "lights.h"
@@ -23,51 +23,10 @@
 #include "program_variants.h"
 #include "scene_textures.h"
 #include "screen/screen_pass.h"
-#include "sweep/parallel.h"
 #include "view.h"
 
 namespace isolume {
 namespace {
-
-void checkSettings(const RenderSettings& settings, const SceneTextures& scene) {
-  if (!scene.level) throw GpuError("render: expected an uploaded scene, found none");
-  if (settings.size.x < 1 || settings.size.y < 1) {
-    throw GpuError(
-        fmt::format("image: expected a size of at least 1x1, found {}x{}", settings.size.x, settings.size.y));
-  }
-  if (settings.samples < 1)
-    throw GpuError(fmt::format("image: expected at least 1 sample, found {}", settings.samples));
-  if (!(settings.gamma > 0)) throw GpuError(fmt::format("image: expected a gamma above 0, found {}", settings.gamma));
-  if (!(settings.occlusionOffsetVoxels >= 0)) {
-    throw GpuError(fmt::format("image: expected octants read at least 0 voxels above the surface, found {}",
-                               settings.occlusionOffsetVoxels));
-  }
-  if (settings.normals == NormalSource::distance && scene.distance.name() == 0) {
-    throw GpuError("render: expected a distance texture for normals from the distance, found a scene without it");
-  }
-  if (settings.screen) return;
-  if (settings.shading == Shading::octants && !scene.hasOctants()) {
-    throw GpuError("render: expected octants for shading by them, found a scene without them");
-  }
-  for (std::size_t s = 0; s < settings.octantLight.size(); ++s)
-    for (int color = 0; color < 3; ++color) {
-      const float light = settings.octantLight[s][color];
-      if (!(light >= 0 && std::isfinite(light)))
-        throw GpuError(
-            fmt::format("octant {}: expected a finite light of at least 0, found {}", kOctants[s].name, light));
-    }
-  if (settings.shading == Shading::lights) {
-    if (settings.suns.size() > shader::kMostSuns)
-      throw GpuError(
-          fmt::format("render: expected at most {} suns, found {}", shader::kMostSuns, settings.suns.size()));
-    for (const HardSun& sun : settings.suns)
-      if (!(glm::length(sun.direction) > 0))
-        throw GpuError("render: expected a direction towards each sun, found 0,0,0");
-    if (!settings.lightColors.empty() && settings.lightColors.size() != scene.lights.size())
-      throw GpuError(fmt::format("render: expected a colour for each of {} light fields, found {}", scene.lights.size(),
-                                 settings.lightColors.size()));
-  }
-}
 
 shader::FrameUniforms makeUniforms(const Camera& camera, const RenderSettings& settings, const SceneTextures& scene) {
   shader::FrameUniforms uniforms{};
@@ -79,38 +38,6 @@ shader::FrameUniforms makeUniforms(const Camera& camera, const RenderSettings& s
   uniforms.modes = glm::ivec4(settings.normals == NormalSource::distance ? 1 : 0, 0, 0, 0);
   return uniforms;
 }
-
-// Index space and grid axes to the world, in double. Rows are independent.
-void fillLayers(Frame& frame, const std::vector<glm::vec4>& normals, const std::vector<glm::vec4>& positions,
-                const std::vector<glm::vec4>& lights, const Camera& camera, const GridFrame& grid) {
-  const glm::dvec3 forward = cameraAxes(camera).forward;
-  const std::size_t count = normals.size();
-  frame.light.resize(count);
-  frame.normal.resize(count);
-  frame.position.resize(count);
-  frame.index.resize(count);
-  frame.depth.resize(count);
-  const auto width = static_cast<std::size_t>(frame.size.x);
-  parallelFor(static_cast<std::size_t>(frame.size.y), [&](std::size_t row) {
-    for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
-      const bool hit = positions[i].w > 0;
-      frame.light[i] = glm::vec3(lights[i]);
-      frame.index[i] = glm::vec3(positions[i]);
-      if (!hit) {
-        frame.normal[i] = glm::vec3(0);
-        frame.position[i] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
-        frame.depth[i] = std::numeric_limits<float>::infinity();
-        continue;
-      }
-      const glm::dvec3 world(grid.worldFromGrid * glm::dvec4(glm::dvec3(positions[i]), 1));
-      frame.normal[i] = glm::vec3(glm::normalize(grid.worldFromAxes * glm::dvec3(normals[i])));
-      frame.position[i] = glm::vec3(world);
-      frame.depth[i] = static_cast<float>(glm::dot(world - camera.eye, forward));
-    }
-  });
-}
-
-}  // namespace
 
 constexpr GLuint kSwept0Unit = 3;  // after level, clearance and distance: octants and geometry terms
 constexpr GLuint kBeamUnit = 7;
@@ -128,16 +55,16 @@ const char* variantName(Shading shading) {
   return nullptr;
 }
 
+}  // namespace
+
 struct Renderer::Impl {
   std::array<GlProgram, 3> programs;  // by shading, each built when it is first needed
   GlBuffer uniformBuffer = GlBuffer::create();
   GlBuffer lightBuffer = GlBuffer::create();
   GlBuffer octantBuffer = GlBuffer::create();
   GlVertexArray vertexArray = GlVertexArray::create();
-  std::array<std::array<GlTexture, 2>, 2> termTables;  // by term, each made when it is first needed
-  std::array<GlTexture, 2> openPlaneTerms;             // of the scene, for this offset
-  float openPlaneOffset = 0;
   std::size_t builtSuns = 0;  // that the program of light fields knows
+  GeometryTextures geometryTextures;
   SceneTextures scene;
   Framebuffer framebuffer;
   BeamPass beams;
@@ -166,20 +93,10 @@ struct Renderer::Impl {
     return built;
   }
 
-  const std::array<GlTexture, 2>& geometryTerms(const RenderSettings& settings) {
-    if (!settings.openPlaneTerms) return geometryTerm(settings.geometryTerm);
-    if (!openPlaneTerms[0] || openPlaneOffset != settings.occlusionOffsetVoxels) {
-      const OpenPlaneTable table = makeOpenPlaneTable(scene.frame.spacing, settings.occlusionOffsetVoxels);
-      openPlaneTerms = uploadGeometryTerms(settings.geometryTerm, &table);
-      openPlaneOffset = settings.occlusionOffsetVoxels;
-    }
-    return openPlaneTerms;
-  }
-
-  const std::array<GlTexture, 2>& geometryTerm(GeometryTerm term) {
-    std::array<GlTexture, 2>& tables = termTables[static_cast<std::size_t>(term)];
-    if (!tables[0]) tables = uploadGeometryTerms(term);
-    return tables;
+  const GeometryTextures::Pair& geometryTerms(const RenderSettings& settings) {
+    return settings.openPlaneTerms
+               ? geometryTextures.dividedByOpenPlane(scene.frame.spacing, settings.occlusionOffsetVoxels)
+               : geometryTextures.of(settings.geometryTerm);
   }
 
   void bindOctants(const RenderSettings& settings) {
@@ -293,7 +210,6 @@ void Renderer::upload(const SceneFields& fields) {
   impl_->scene = SceneTextures();  // room for the new one
   if (impl_->screen) impl_->screen->forgetScene();
   impl_->scene = uploadScene(fields);
-  impl_->openPlaneTerms = {};
   impl_->programs[static_cast<std::size_t>(Shading::lights)] = {};  // it knows how many they are
   if (colored != static_cast<bool>(impl_->scene.colors)) {
     impl_->programs = {};

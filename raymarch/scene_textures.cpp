@@ -93,15 +93,4 @@ SceneTextures uploadScene(const SceneFields& fields) {
   return scene;
 }
 
-std::array<GlTexture, 2> uploadGeometryTerms(GeometryTerm term, const OpenPlaneTable* openPlane) {
-  GeometryTermTables tables = makeGeometryTermTables(kGeometryTableSize, term);
-  if (openPlane != nullptr) divideByOpenPlane(tables, *openPlane);
-  std::array<GlTexture, 2> textures;
-  for (std::size_t i = 0; i < textures.size(); ++i) {
-    textures[i] =
-        makeTexture2D("geometry terms", glm::ivec2(tables.size), kRGBA32F, GL_LINEAR, tables.texels[i].data());
-  }
-  return textures;
-}
-
 }  // namespace isolume

@@ -4,7 +4,6 @@
 #include "gl_objects.h"
 #include "renderer.h"
 #include "surface_colors.h"
-#include "sweep/octants/open_plane.h"
 #include "view.h"
 
 namespace isolume {
@@ -25,8 +24,5 @@ struct SceneTextures {
 
 /// GpuError: fewer than two samples along an axis, grids of different sizes, or more than the GPU takes.
 SceneTextures uploadScene(const SceneFields& fields);
-
-/// The tables of geometry terms, RGBA32F; divided by what an open plane gives, if there is one.
-std::array<GlTexture, 2> uploadGeometryTerms(GeometryTerm term, const OpenPlaneTable* openPlane = nullptr);
 
 }  // namespace isolume

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "gl/gl_scene.h"
 #include "raymarch/gpu_error.h"
@@ -80,6 +81,43 @@ TEST(OctantLight, ChangesAreOfOneFrame) {
       ASSERT_LT(fromAbove.light[i].x, 0.01F);
     }
   }
+}
+
+TEST(OctantLight, TermsDividedByAnOpenPlaneAreOfTheirOffsetAndScene) {
+  // Divided by what an open plane gives, a picture has the bits of one by a renderer of its own, whatever offsets and
+  // spacings were drawn before; each of them changes it. All octants are a quarter open: nothing is clipped at 1, and
+  // what they are read at changes nothing else.
+  const auto context = makeContext("osmesa");
+  Renderer renderer(*context);
+  const auto draw = [](Renderer& by, const GlScene& scene, float offset) {
+    RenderSettings settings = octantSettings();
+    settings.openPlaneTerms = true;
+    settings.occlusionOffsetVoxels = offset;
+    by.upload(scene.fields());
+    return by.render(frameScene(scene), settings).light;
+  };
+  const auto quarterOpen = [](GlScene scene) {
+    for (Grid<glm::u8vec4>& grid : scene.octants) std::fill_n(grid.data(), grid.view().count(), glm::u8vec4(64));
+    return scene;
+  };
+  const GlScene even = quarterOpen(makeSphere()), flat = quarterOpen(makeSphere(48, 17.3, {1, 1, 0.7}));
+  std::vector<std::vector<glm::vec3>> drawn;
+  for (const GlScene* scene : {&even, &flat})
+    for (const float offset : {0.0F, 2.0F, 0.0F}) {
+      Renderer own(*context);
+      drawn.push_back(draw(renderer, *scene, offset));
+      EXPECT_EQ(drawn.back(), draw(own, *scene, offset));
+    }
+  EXPECT_NE(drawn[0], drawn[1]);
+  EXPECT_EQ(drawn[0], drawn[2]);
+}
+
+TEST(OctantLight, TermsOfBothSidesAreNotDividedByAnOpenPlane) {
+  const GlScene scene = makeSphere(16, 5);
+  RenderSettings settings = octantSettings();
+  settings.openPlaneTerms = true;
+  settings.geometryTerm = GeometryTerm::bothSides;
+  EXPECT_THROW(renderOnce(scene, frameScene(scene), settings), GpuError);
 }
 
 TEST(OctantLight, ThroughAClearSolidAllIsLit) {
