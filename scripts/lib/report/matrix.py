@@ -100,7 +100,7 @@ FULL = Matrix(
     screen_rays=128,
     scaling_scene="capsules",
     scaling_sizes=(64, 128, 256, 512),
-    table_repetitions=5,
+    table_repetitions=15,
     table_sizes=PAPER_SIZES,
 )
 
