@@ -71,6 +71,7 @@ void sweepAs(benchmark::State& state, const SweepOptions& options) {
   setThreadCount(static_cast<int>(state.range(3)));
   const Ball ball = makeBall(sizeOf(state));
   SweptFields fields;
+  bench::readyMemory();
   for (auto _ : state) {
     fields = {};
     fields = sweepOcclusion(ball.level.view(), options);
@@ -95,6 +96,7 @@ void lightAlone(benchmark::State& state) {
   setThreadCount(static_cast<int>(state.range(3)));
   const Ball ball = makeBall(sizeOf(state));
   const SweptFields fields = sweepOcclusion(ball.level.view(), {.visibility = kNone});
+  bench::readyMemory();
   for (auto _ : state) {
     const OctantVisibility visibility = sweepVisibility(fields.distance.view(), VisibilityStorage::rgba8);
     benchmark::DoNotOptimize(visibility.packed[0].data());
@@ -121,6 +123,7 @@ void lightOfScene(benchmark::State& state, VisibilityStorage storage) {
   const Grid<float> level = levelOfScene(scene);
   constexpr double kForever = std::numeric_limits<double>::infinity();
   double distanceTime = kForever, lightTime = kForever;
+  bench::readyMemory();
   for (auto _ : state) {
     SweptFields fields;
     distanceTime =

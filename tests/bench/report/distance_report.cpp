@@ -42,7 +42,10 @@ struct TimedSolver {
 void takeTurns(int runs, std::vector<TimedSolver>& solvers) {
   for (const TimedSolver& timed : solvers) timed.solver.solve();
   for (int run = 0; run < runs; ++run)
-    for (TimedSolver& timed : solvers) timed.seconds.push_back(secondsOf(timed.solver.solve));
+    for (TimedSolver& timed : solvers) {
+      readyMemory();
+      timed.seconds.push_back(secondsOf(timed.solver.solve));
+    }
 }
 
 nlohmann::ordered_json judge(const TimedSolver& timed, const std::vector<JudgedVoxel>& voxels) {
