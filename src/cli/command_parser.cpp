@@ -36,7 +36,7 @@ CLI::App& CommandParser::add(const char* name, const char* description) {
 }
 
 void CommandParser::addSample() {
-  CLI::App& command = add("sample", "make one of six sample volumes");
+  CLI::App& command = add("sample", "make a sample volume");
   command.add_option("NAME", sample.name, "one of " + sampleNameList())->type_name("");
   OptionGroup output(command, "Output");
   output.value(

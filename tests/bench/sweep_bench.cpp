@@ -30,6 +30,8 @@
 namespace isolume {
 namespace {
 
+constexpr std::size_t kBytesPerVoxel = 16;  // at hand for a sweep, which takes 12
+
 struct Ball {
   glm::ivec3 size;
   glm::dvec3 centre;
@@ -71,7 +73,7 @@ void sweepAs(benchmark::State& state, const SweepOptions& options) {
   setThreadCount(static_cast<int>(state.range(3)));
   const Ball ball = makeBall(sizeOf(state));
   SweptFields fields;
-  bench::readyMemory();
+  bench::readyMemory(kBytesPerVoxel * ball.level.view().count());
   for (auto _ : state) {
     fields = {};
     fields = sweepOcclusion(ball.level.view(), options);
