@@ -9,7 +9,7 @@ isolume_test(test_report
 # Debian's Python, which holds Debian's modules, as scripts/report takes it.
 find_program(ISOLUME_SYSTEM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 if(ISOLUME_SYSTEM_PYTHON)
-  foreach(case calibration stats section table2 occlusion_rows process screen)
+  foreach(case calibration stats section styles table2 occlusion_rows process screen)
     add_test(NAME report.python.${case}
       # Discovery, which skips a module that asks for it; by name it would fail.
       COMMAND ${ISOLUME_SYSTEM_PYTHON} -m unittest discover --verbose --pattern ${case}_test.py

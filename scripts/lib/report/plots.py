@@ -11,30 +11,12 @@ from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
 
 from .section import Row  # noqa: E402
 from .stats import digits  # noqa: E402
+from .styles import BLUE, GREY, MARKERS, OTHERS, VERMILION, style_of  # noqa: E402
 
-# Okabe and Ito's palette: told apart with every kind of colour vision.
-BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE, GREY = ("#000000", "#e69f00", "#56b4e9", "#009e73", "#0072b2",
-                                                            "#d55e00", "#cc79a7", "#999999")
-OTHERS = (BLUE, ORANGE, GREEN, PURPLE, SKY)
-OURS = ("o", "*", "X", "p", "h")
-MARKERS = ("s", "^", "D", "v", "P")
 PANEL_INCHES = (4.6, 3.7)
 # The same bytes for the same numbers.
 matplotlib.rcParams.update({"svg.hashsalt": "isolume", "svg.fonttype": "none", "font.size": 10,
                             "axes.spines.top": False, "axes.spines.right": False})
-
-
-def style_of(names: list[str]) -> dict[str, tuple[str, str]]:
-    """Colour and marker: Isolume's own stand out in one colour, the others go through the palette."""
-    styles, ours, others = {}, 0, 0
-    for name in names:
-        if name.startswith("Isolume"):
-            styles[name] = (VERMILION, OURS[ours % len(OURS)])
-            ours += 1
-        else:
-            styles[name] = (OTHERS[others % len(OTHERS)], MARKERS[others % len(MARKERS)])
-            others += 1
-    return styles
 
 
 def new_figure(panels: int, title: str) -> tuple[Any, list[Any]]:
@@ -85,7 +67,8 @@ def distance_plot(rows: list[Row], path: Path) -> None:
     """Every scene a point, every solver a colour."""
     threads = rows[0]["threads"]
     figure, panels = new_figure(2, f"Distance: seconds against error, {threads} threads; each point is a scene")
-    styles = style_of(list(dict.fromkeys(row["solver"] for row in rows)))
+    judged = [row for row in rows if row["mean_error_near"] is not None]  # what a picture needs is too narrow for it
+    styles = style_of(list(dict.fromkeys(row["solver"] for row in judged)))
     for axes, key, label in zip(panels, ("mean_error", "mean_error_near"),
                                 ("mean error, whole grid, voxels", "mean error within 3 voxels, voxels")):
         for solver, (color, marker) in styles.items():

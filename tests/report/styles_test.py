@@ -1,0 +1,25 @@
+"""How series are told apart in the figures."""
+
+import unittest
+
+from report.styles import OTHERS, OURS, VERMILION, style_of
+
+
+class StylesTest(unittest.TestCase):
+    def test_no_two_series_look_alike(self) -> None:
+        # As many as there are styles, in any order: every one has its own, Isolume's in one colour.
+        names = [name for i in range(len(OURS)) for name in (f"Isolume {i}", f"peer {i}") if i < len(OTHERS) or "I" in name]
+        styles = style_of(names)
+        self.assertEqual(set(styles), set(names))
+        self.assertEqual(len(set(styles.values())), len(names))
+        for name, (color, _) in styles.items():
+            self.assertEqual(color == VERMILION, name.startswith("Isolume"))
+
+    def test_too_many_series_are_an_error(self) -> None:
+        # A style is never given twice in silence.
+        with self.assertRaisesRegex(ValueError, "found 9 and 0"):
+            style_of([f"Isolume {i}" for i in range(len(OURS) + 1)])
+
+
+if __name__ == "__main__":
+    unittest.main()
