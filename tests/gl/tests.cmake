@@ -15,6 +15,7 @@ isolume_test(test_gl
   ${gl}/shading_test.cpp
   ${gl}/shadow_test.cpp
   ${gl}/surface_color_test.cpp
+  ${gl}/textures_test.cpp
   ${gl}/../support/cpu_tracer.cpp
   LIBS isolume_raymarch isolume_sweep isolume_reference isolume_readers isolume_volumes isolume_shaders isolume_glad
   fmt::fmt)
