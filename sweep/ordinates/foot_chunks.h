@@ -18,6 +18,9 @@ struct FootChunks {
 
   std::size_t chunks() const { return begin.size() - 1; }
   std::size_t count() const { return begin.back(); }
+
+  /// The feet of the first `count` chunks one after the other, begin[count] of them. Threaded.
+  void copyFirst(std::size_t count, SurfaceFoot* to) const;
 };
 
 }  // namespace isolume

@@ -68,7 +68,7 @@ SurfaceLight sweepDisc(const SurfaceRays& rays, glm::dvec3 direction, double rad
   std::vector<Ordinate> disc;
   for (const glm::dvec3& each : directions) disc.push_back({each});
   std::vector<float> visible = rays.sum(disc, 1, SurfaceRays::Count::visible);
-  const std::vector<SurfaceFoot> feet = rays.surface().feet();
+  const std::vector<SurfaceFoot> feet = rays.surface().makeFeet();
   std::vector<std::uint16_t> shares(feet.size());
   std::vector<std::uint8_t> known(feet.size());
   forEachFoot(feet.size(), [&](std::size_t i) {

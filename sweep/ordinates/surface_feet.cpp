@@ -80,6 +80,13 @@ void SurfaceFeet::addPart(int part, std::vector<SurfaceFoot>& feet) const {
   }
 }
 
+void FootChunks::copyFirst(std::size_t count, SurfaceFoot* to) const {
+  parallelFor(count, [&](std::size_t chunk) {
+    std::vector<SurfaceFoot> room;
+    std::copy_n(feet(chunk, room), begin[chunk + 1] - begin[chunk], to + begin[chunk]);
+  });
+}
+
 FootChunks SurfaceFeet::chunks() const {
   const int parts = solid_.size().z + caps_.rows();
   std::vector<int> first{0};  // part of each chunk
@@ -100,13 +107,10 @@ FootChunks SurfaceFeet::chunks() const {
   return chunks;
 }
 
-std::vector<SurfaceFoot> SurfaceFeet::feet() const {
+std::vector<SurfaceFoot> SurfaceFeet::makeFeet() const {
   std::vector<SurfaceFoot> feet(count());
   const FootChunks all = chunks();
-  parallelFor(all.chunks(), [&](std::size_t chunk) {
-    std::vector<SurfaceFoot> own;
-    std::copy_n(all.feet(chunk, own), all.begin[chunk + 1] - all.begin[chunk], feet.data() + all.begin[chunk]);
-  });
+  all.copyFirst(all.chunks(), feet.data());
   return feet;
 }
 

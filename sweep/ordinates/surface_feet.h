@@ -44,7 +44,7 @@ class SurfaceFeet {
   /// those of the caps.
   std::size_t count() const { return outside_.count() + caps_.count(); }
   /// All of them, 24 bytes each. Threaded.
-  std::vector<SurfaceFoot> feet() const;
+  std::vector<SurfaceFoot> makeFeet() const;
   /// The same in chunks of some thousands; borrows this. The chunks do not depend on the number of threads.
   FootChunks chunks() const;
   /// The samples with level > 0.

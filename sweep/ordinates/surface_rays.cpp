@@ -76,10 +76,7 @@ void SurfaceRays::keepFeet(std::size_t most) {
   keptChunks_ = 0;
   while (keptChunks_ < all.chunks() && all.begin[keptChunks_ + 1] <= most) ++keptChunks_;
   feet_ = keptChunks_ == 0 ? nullptr : makeLargeArray<SurfaceFoot>(all.begin[keptChunks_]);
-  parallelFor(keptChunks_, [&](std::size_t chunk) {
-    std::vector<SurfaceFoot> own;
-    std::copy_n(all.feet(chunk, own), all.begin[chunk + 1] - all.begin[chunk], feet_.get() + all.begin[chunk]);
-  });
+  all.copyFirst(keptChunks_, feet_.get());
 }
 
 // As they are kept, or made each time.

@@ -24,14 +24,15 @@ bool looksOut(const SurfaceFoot& foot, glm::ivec3 size) {
 SurfaceField sweepTransport(GridView<const float> level, GridView<const float> distance,
                             const TransportOptions& options) {
   const SurfaceFeet surface(level, distance);
+  const std::vector<SurfaceFoot> feet = surface.makeFeet();
   std::vector<OpenPoint> points;
-  points.reserve(surface.feet().size());
-  for (const SurfaceFoot& foot : surface.feet()) points.push_back({foot.position, foot.normal});
+  points.reserve(feet.size());
+  for (const SurfaceFoot& foot : feet) points.push_back({foot.position, foot.normal});
   std::vector<float> blocked(points.size(), 0);
   if (glm::min(glm::min(level.size.x, level.size.y), level.size.z) > 1)
     blocked = transportBlocked(distance, points, options);
   for (std::size_t i = 0; i < blocked.size(); ++i)
-    if (looksOut(surface.feet()[i], level.size)) blocked[i] = 0;
+    if (looksOut(feet[i], level.size)) blocked[i] = 0;
   return surface.spread(opennessOf(blocked));
 }
 

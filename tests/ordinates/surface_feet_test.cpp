@@ -92,7 +92,7 @@ void expectCapsByDefinition(GridView<const float> level, const std::vector<Surfa
 void expectFeetByDefinition(GridView<const float> level) {
   const Grid<float> distance = closestDistance(level);
   const SurfaceFeet surface(level, distance.view());
-  const std::vector<SurfaceFoot> feet = surface.feet();
+  const std::vector<SurfaceFoot> feet = surface.makeFeet();
   ASSERT_EQ(feet.size(), surface.count());
   std::vector<std::uint16_t> numbers(feet.size());
   for (std::size_t i = 0; i < feet.size(); ++i) numbers[i] = static_cast<std::uint16_t>(i % 60000 + 1);
@@ -143,7 +143,7 @@ TEST(SurfaceFeet, LieOnABallWithItsNormals) {
   const SurfaceFeet surface(level.view(), distance.view());
   ASSERT_GT(surface.count(), 2000U);
   double farthest = 0, leastCosine = 1;
-  for (const SurfaceFoot& foot : surface.feet()) {
+  for (const SurfaceFoot& foot : surface.makeFeet()) {
     const glm::dvec3 out = glm::dvec3(foot.position) - centre;
     farthest = std::max(farthest, std::abs(glm::length(out) - kRadius));
     leastCosine = std::min(leastCosine, glm::dot(glm::normalize(out), glm::dvec3(foot.normal)));

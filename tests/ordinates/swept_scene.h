@@ -18,7 +18,7 @@ struct SweptScene {
       : level(std::move(level_)),
         distance(closestDistance(level.view(), {.extent = DistanceExtent::band})),
         rays(level.view(), distance.view(), refinement),
-        feet_(rays.surface().feet()) {}
+        feet_(rays.surface().makeFeet()) {}
   SweptScene(glm::ivec3 size, glm::dvec3 spacing, int refinement, const std::function<double(glm::dvec3)>& f)
       : SweptScene(sampleLevel(size, spacing, f), refinement) {}
   SweptScene(const SweptScene&) = delete;
