@@ -45,7 +45,7 @@ FixedLayer::FixedLayer(const LayerShape& shape) : shape_(shape) {
     rows_[k] = {makeFixedValues(static_cast<std::size_t>(column.ny * shape_.stride), 0),
                 std::vector<Content>(shape_.blocks(), kNoContent)};
   }
-  for (FixedValues& edge : edge_) edge = makeFixedValues(column.handover() * kFixedPlanes, -kFullLight);
+  for (FixedValues& edge : edge_) edge = makeFixedValues(column.handover() * kFixedPlanes, kOutside);
   scratch_ = makeFixedValues(shearScratch(column), 0);
 }
 
@@ -125,7 +125,7 @@ void FixedLayer::prepare(GridView<const float> distance, float opacity, const La
     }
   }
   for (int c = 0; c < shape_.columns; ++c) shearColumn(c, blocks + shape_.block(c, 0));
-  for (FixedValues& edge : edge_) std::fill_n(edge.get(), shape_.column.handover() * kFixedPlanes, -kFullLight);
+  for (FixedValues& edge : edge_) std::fill_n(edge.get(), shape_.column.handover() * kFixedPlanes, kOutside);
 }
 
 void FixedLayer::shearColumn(int c, const Content* blocks) {

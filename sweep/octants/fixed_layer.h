@@ -28,6 +28,9 @@ inline constexpr int kOctantsOfWalk = kOctantCount / 2;
 inline constexpr int kDiagonals = 2;
 inline constexpr std::size_t kRising = 0, kFalling = 1;
 
+/// N (fixed_light.h) of what lies outside the grid: all light.
+inline constexpr std::int16_t kOutside = -kFullLight;
+
 using FixedValues = LargeArray<std::int16_t>;
 FixedValues makeFixedValues(std::size_t count, std::int16_t value);
 
@@ -69,8 +72,8 @@ class FixedLayer {
  public:
   explicit FixedLayer(const LayerShape& shape);
 
-  /// Lays out the transmittances of `distance` ([Singh10] Eq. 7, Eq. 8 with opacity), and dark edges. `blocks`: -tau of
-  /// the layer's blocks, found here unless `known`; then even blocks' distances are not read.
+  /// Lays out the transmittances of `distance` ([Singh10] Eq. 7, Eq. 8 with opacity), and edges that let all light in.
+  /// `blocks`: -tau of the layer's blocks, found here unless `known`; then even blocks' distances are not read.
   void prepare(GridView<const float> distance, float opacity, const LayerPlanes& planes, bool known, Content* blocks);
 
   /// Calls store(z, rows) for each plane of the grid, with what was merged.

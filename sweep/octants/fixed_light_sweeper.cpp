@@ -50,7 +50,7 @@ class Walk {
     for (int i = 0; i < atOnce; ++i) layers_.emplace_back(shape_);
     for (auto& carried : carried_)
       for (int c = 0; c < shape_.columns; ++c)
-        carried.push_back({makeFixedValues(shape_.column.plane(), -kFullLight), shape_.segments({true, -kFullLight})});
+        carried.push_back({makeFixedValues(shape_.column.plane(), kOutside), shape_.segments({true, kOutside})});
   }
 
   /// Layers in the order of the walk.
