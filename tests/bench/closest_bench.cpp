@@ -68,8 +68,7 @@ enum class Way { sweep, sweepBand, full, band };
 void run(benchmark::State& state, const Grid<float>& level, const Distance& exact, Way way) {
   setThreadCount(static_cast<int>(state.range(1)));
   Grid<float> distance;
-  constexpr std::size_t kBytesPerVoxel = 16;  // and some more: the most that a way takes
-  bench::readyMemory(kBytesPerVoxel * level.count());
+  bench::readyMemory(level.count());
   for (auto _ : state) {
     distance = {};
     const auto extent = way == Way::full || way == Way::sweep ? DistanceExtent::full : DistanceExtent::band;

@@ -38,7 +38,7 @@ void openness(benchmark::State& state) {
                                 .refinement = static_cast<int>(state.range(2))};
   setThreadCount(static_cast<int>(state.range(3)));
   SurfaceField swept;
-  bench::readyMemory();
+  bench::readyMemory(scene.level.count());
   for (auto _ : state) swept = sweepOpenness(scene.level.view(), scene.distance.view(), options);
   setThreadCount(0);
   std::size_t known = 0;
@@ -62,7 +62,7 @@ void transported(benchmark::State& state) {
   const SweptLevel scene(static_cast<int>(state.range(0)));
   const TransportOptions options{.ordinates = static_cast<int>(state.range(1))};
   setThreadCount(static_cast<int>(state.range(2)));
-  bench::readyMemory();
+  bench::readyMemory(scene.level.count());
   for (auto _ : state) {
     SurfaceField swept = sweepTransport(scene.level.view(), scene.distance.view(), options);
     benchmark::DoNotOptimize(&swept);

@@ -30,8 +30,6 @@
 namespace isolume {
 namespace {
 
-constexpr std::size_t kBytesPerVoxel = 16;  // at hand for a sweep, which takes 12
-
 struct Ball {
   glm::ivec3 size;
   glm::dvec3 centre;
@@ -73,7 +71,7 @@ void sweepAs(benchmark::State& state, const SweepOptions& options) {
   setThreadCount(static_cast<int>(state.range(3)));
   const Ball ball = makeBall(sizeOf(state));
   SweptFields fields;
-  bench::readyMemory(kBytesPerVoxel * ball.level.view().count());
+  bench::readyMemory(ball.level.count());
   for (auto _ : state) {
     fields = {};
     fields = sweepOcclusion(ball.level.view(), options);
@@ -98,7 +96,7 @@ void lightAlone(benchmark::State& state) {
   setThreadCount(static_cast<int>(state.range(3)));
   const Ball ball = makeBall(sizeOf(state));
   const SweptFields fields = sweepOcclusion(ball.level.view(), {.visibility = kNone});
-  bench::readyMemory();
+  bench::readyMemory(ball.level.count());
   for (auto _ : state) {
     const OctantVisibility visibility = sweepVisibility(fields.distance.view(), VisibilityStorage::rgba8);
     benchmark::DoNotOptimize(visibility.packed[0].data());
@@ -125,7 +123,7 @@ void lightOfScene(benchmark::State& state, VisibilityStorage storage) {
   const Grid<float> level = levelOfScene(scene);
   constexpr double kForever = std::numeric_limits<double>::infinity();
   double distanceTime = kForever, lightTime = kForever;
-  bench::readyMemory();
+  bench::readyMemory(level.count());
   for (auto _ : state) {
     SweptFields fields;
     distanceTime =

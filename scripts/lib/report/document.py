@@ -10,9 +10,9 @@ HEAD = """\
 
 Made by `scripts/report{quick}`: every number below comes from that run, except the column `published` of the last
 table, which cites its source. Times are wall time, the median of {runs} run{plural} (least to most in brackets), of one
-process at a time on as many cores as it has threads. Before each timed run of a library call 1 GiB of memory is touched
-and freed: a virtual machine's host takes back memory that rests, and is slow to give it again. Absolute times belong to
-this machine and its load; what carries over are ratios within the run.
+process at a time on as many cores as it has threads. Where methods take turns, 16 bytes per voxel are touched and freed
+before each: a virtual machine's host takes back memory that rests, and is slow to give it again. Absolute times belong
+to this machine and its load; what carries over are ratios within the run.
 {caution}"""
 
 CAUTION = """

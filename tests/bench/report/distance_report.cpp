@@ -39,11 +39,11 @@ struct TimedSolver {
   std::vector<double> seconds;
 };
 
-void takeTurns(int runs, std::vector<TimedSolver>& solvers) {
+void takeTurns(int runs, std::size_t voxels, std::vector<TimedSolver>& solvers) {
   for (const TimedSolver& timed : solvers) timed.solver.solve();
   for (int run = 0; run < runs; ++run)
     for (TimedSolver& timed : solvers) {
-      readyMemory();
+      readyMemory(voxels);
       timed.seconds.push_back(secondsOf(timed.solver.solve));
     }
 }
@@ -88,7 +88,7 @@ nlohmann::ordered_json work(const Options& options) {
     else
       report["gaps"].push_back({{"solver", made.name}, {"reason", made.gap}});
   }
-  takeTurns(options.runs, solvers);
+  takeTurns(options.runs, level.count(), solvers);
   for (const TimedSolver& timed : solvers) report["solvers"].push_back(judge(timed, voxels));
   return report;
 }

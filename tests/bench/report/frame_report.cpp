@@ -54,7 +54,7 @@ void runOnce(const Surface& surface, const Camera& camera, glm::ivec2 size, Time
   const GridView<const float> level = surface.level.view();
   SweptFields swept;
   SurfaceField openness;
-  readyMemory();
+  readyMemory(level.count());
   timed.sweep.push_back(secondsOf([&] {
     SweepOptions sweep;
     if (!octants) {

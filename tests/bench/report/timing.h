@@ -1,5 +1,4 @@
-// Wall time of something done several times, after one time that is not counted (caches, threads), each with memory at
-// hand.
+// Wall time of something done several times, after one time that is not counted (caches, first-touch pages, threads).
 #pragma once
 
 #include <chrono>
@@ -10,11 +9,13 @@
 
 namespace isolume::bench {
 
-/// Touches and frees `bytes`, so that what comes next finds them. A virtual machine's host takes back what was free for
-/// a second or two and is slow to give it again: 187 MB were touched in .03 s where they had just been freed, in .6 s
-/// after three seconds of rest. A run would pay for what ran before it.
-inline void readyMemory(std::size_t bytes = std::size_t{1} << 30) {
-  constexpr std::size_t kPageBytes = 4096;
+/// Touches and frees 16 bytes for each of `voxels`, so that what comes next finds them. A virtual machine's host takes
+/// back what was free for a second or two and is slow to give it again: 187 MB were touched in .03 s where they had
+/// just been freed, in .6 s after three seconds of rest. A run would pay for what ran before it. Runs of the same thing
+/// one after the other need none of it: each leaves to the next what it takes.
+inline void readyMemory(std::size_t voxels) {
+  constexpr std::size_t kBytesPerVoxel = 16, kPageBytes = 4096;
+  const std::size_t bytes = kBytesPerVoxel * voxels;
   const LargeArray<char> memory = makeLargeArray<char>(bytes);
   for (std::size_t at = 0; at < bytes; at += kPageBytes) static_cast<volatile char*>(memory.get())[at] = 1;
 }
@@ -30,10 +31,7 @@ template <class Work>
 std::vector<double> timedRuns(int runs, const Work& work) {
   work();
   std::vector<double> seconds;
-  for (int run = 0; run < runs; ++run) {
-    readyMemory();
-    seconds.push_back(secondsOf(work));
-  }
+  for (int run = 0; run < runs; ++run) seconds.push_back(secondsOf(work));
   return seconds;
 }
 
