@@ -17,16 +17,16 @@ namespace {
 
 /// An odd size, so that rows do not end at multiples of four bytes.
 constexpr glm::ivec3 kSize(5, 3, 7);
-constexpr std::size_t kSliceTexels = 5 * 3;
+constexpr std::size_t kSliceTexels = kSize.x * kSize.y, kTexels = kSliceTexels * kSize.z;
 
 std::vector<std::uint16_t> numbered() {
-  std::vector<std::uint16_t> texels(kSliceTexels * 7);
+  std::vector<std::uint16_t> texels(kTexels);
   for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<std::uint16_t>(601 * i + 3);
   return texels;
 }
 
 std::vector<std::uint16_t> readBack(const GlTexture& texture) {
-  std::vector<std::uint16_t> texels(kSliceTexels * 7);
+  std::vector<std::uint16_t> texels(kTexels);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glGetTextureImage(texture.name(), 0, kR16.format, kR16.type,
                     static_cast<GLsizei>(texels.size() * sizeof(std::uint16_t)), texels.data());
@@ -53,7 +53,6 @@ TEST(Textures, SlabsOfAnyThicknessMakeTheSameVolume) {
       EXPECT_EQ(begin, next);
       EXPECT_EQ(end, std::min(begin + most, kSize.z));
       next = end;
-      std::fill(slab.begin(), slab.end(), std::uint16_t{0});
       slab.assign(texels.begin() + static_cast<std::ptrdiff_t>(kSliceTexels) * begin,
                   texels.begin() + static_cast<std::ptrdiff_t>(kSliceTexels) * end);
       return slab.data();

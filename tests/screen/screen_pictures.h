@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <string>
 
 #include "gl/gl_scene.h"
+#include "raymarch/gpu_error.h"
 
 namespace isolume::test {
 
@@ -43,6 +45,15 @@ void forFloorPixels(const Frame& frame, const Visit& visit) {
   }
 }
 
+/// Calls visit(from, to) for the pixels of a picture of side x side, and where they are after the camera rolled by a
+/// quarter turn: it turns clockwise, the picture the other way, so that right becomes up.
+template <class Visit>
+void forRolledPixels(int side, const Visit& visit) {
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      visit(static_cast<std::size_t>(y * side + x), static_cast<std::size_t>((side - 1 - x) * side + y));
+}
+
 inline RenderSettings screenSettings(ScreenEstimator estimator, glm::ivec2 size = {200, 160}) {
   RenderSettings settings = layerSettings(size.x, size.y);
   settings.screen = ScreenOcclusion{.estimator = estimator, .radiusWorld = kRadius, .samples = 16};
@@ -71,6 +82,15 @@ class ScreenPictures : public ::testing::Test {
   Frame draw(const GlScene& scene, const Camera& camera, const RenderSettings& settings) {
     renderer_.upload(scene.fields());
     return renderer_.render(camera, settings);
+  }
+  /// Drawing throws a GpuError that contains `text`.
+  void expectRefused(const GlScene& scene, const RenderSettings& settings, const char* text) {
+    try {
+      draw(scene, frameScene(scene), settings);
+      ADD_FAILURE() << "no error: " << text;
+    } catch (const GpuError& error) {
+      EXPECT_NE(std::string(error.what()).find(text), std::string::npos) << error.what();
+    }
   }
   std::unique_ptr<Context> context_ = makeContext("osmesa");
   Renderer renderer_{*context_};
